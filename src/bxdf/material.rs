@@ -1,0 +1,159 @@
+//! A model with its parameters, and its text form `id:name=value,name=value`.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::param::{ParamSet, Value};
+use super::spec::{ModelSpec, Precision};
+use super::{Bxdf, models};
+use crate::error::{Error, Result};
+
+/// A model of the catalogue at validated parameters.
+#[derive(Clone)]
+pub struct Material {
+    model: &'static ModelSpec,
+    params: ParamSet,
+}
+
+impl Material {
+    /// `model` at its default parameters.
+    #[must_use]
+    pub fn of(model: &'static ModelSpec) -> Self {
+        Self {
+            model,
+            params: model.defaults(),
+        }
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &'static ModelSpec {
+        self.model
+    }
+
+    /// Its parameters.
+    #[must_use]
+    pub fn params(&self) -> &ParamSet {
+        &self.params
+    }
+
+    /// Sets a parameter.
+    ///
+    /// # Errors
+    /// As [`ParamSet::set`], and where the model refuses the combination; the material is then unchanged.
+    pub fn set(&mut self, name: &str, value: Value) -> Result<()> {
+        self.change(|params| params.set(name, value))
+    }
+
+    /// Sets a parameter from its text.
+    ///
+    /// # Errors
+    /// As [`ParamSet::set_text`], and where the model refuses the combination; the material is then unchanged.
+    pub fn set_text(&mut self, name: &str, text: &str) -> Result<()> {
+        self.change(|params| params.set_text(name, text))
+    }
+
+    fn change(&mut self, change: impl FnOnce(&mut ParamSet) -> Result<()>) -> Result<()> {
+        let mut params = self.params.clone();
+        change(&mut params)?;
+        (self.model.validate)(&params)?;
+        self.params = params;
+        Ok(())
+    }
+
+    /// The material as a scattering function in precision `R`.
+    #[must_use]
+    pub fn build<R: Precision>(&self) -> Box<dyn Bxdf<R>> {
+        self.model.build(&self.params)
+    }
+
+    /// Whether its lobe is declared to stay as it is when the surface turns about n.
+    #[must_use]
+    pub fn is_isotropic(&self) -> bool {
+        (self.model.properties.is_isotropic)(&self.params)
+    }
+
+    /// The index of refraction below the surface over the one above.
+    #[must_use]
+    pub fn relative_index(&self) -> f64 {
+        (self.model.properties.relative_index)(&self.params)
+    }
+}
+
+impl PartialEq for Material {
+    fn eq(&self, other: &Self) -> bool {
+        self.params == other.params
+    }
+}
+
+impl fmt::Debug for Material {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self}")
+    }
+}
+
+impl fmt::Display for Material {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let params = self.params.to_string();
+        let colon = if params.is_empty() { "" } else { ":" };
+        write!(f, "{}{colon}{params}", self.model.id)
+    }
+}
+
+impl FromStr for Material {
+    type Err = Error;
+
+    /// Reads `id` or `id:name=value,name=value`; all parameters together must be allowed, their order does not matter.
+    fn from_str(text: &str) -> Result<Self> {
+        let (id, assignments) = text.split_once(':').unwrap_or((text, ""));
+        let model = models::find(id.trim())?;
+        let mut params = model.defaults();
+        for assignment in assignments
+            .split(',')
+            .map(str::trim)
+            .filter(|part| !part.is_empty())
+        {
+            let (name, value) = assignment.split_once('=').ok_or_else(|| {
+                Error::parse(
+                    format!("material '{text}'"),
+                    format!("'{assignment}' is not name=value"),
+                )
+            })?;
+            params.set_text(name.trim(), value.trim())?;
+        }
+        (model.validate)(&params)?;
+        Ok(Self { model, params })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_round_trips() {
+        for text in [
+            "lambertian_reflection",
+            "rough_conductor:eta=0.2/0.9/1.1,k=3.9/2.4/2.2,alpha_x=0.05,alpha_y=0.4",
+        ] {
+            assert_eq!(text.parse::<Material>().unwrap().to_string(), text);
+        }
+        let spaced: Material = " oren_nayar : sigma = 30 , reflectance = .5"
+            .parse()
+            .unwrap();
+        assert_eq!(spaced.to_string(), "oren_nayar:reflectance=0.5,sigma=30");
+    }
+
+    #[test]
+    fn bad_text_is_refused_in_one_line() {
+        for (text, expected) in [
+            ("lambert", "unknown model 'lambert'; nearest: lambertian_"),
+            ("oren_nayar:sigma", "'sigma' is not name=value"),
+            ("oren_nayar:sigma=91", "from 0 to 90 degrees"),
+            ("rough_conductor:eta=0,k=0", "eta and k may not both be 0"),
+        ] {
+            let line = text.parse::<Material>().unwrap_err().to_string();
+            assert!(line.contains(expected) && !line.contains('\n'), "{line}");
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! Numbers, vectors, frames and warps: generic over the precision, free of optics.
+
+pub mod frame;
+pub mod real;
+pub mod vec3;
+pub mod warp;
+
+pub use real::Real;
+pub use vec3::Vec3;

@@ -1,0 +1,130 @@
+//! The number type every model is written over.
+
+use std::fmt::Debug;
+
+use num_traits::{Float, FloatConst};
+use xprec::Df64;
+
+/// A floating-point type a model can be evaluated in: `f32`, `f64`, or [`Df64`] (double-double, 2 x 53 bits), which
+/// serves as the *reference*.
+///
+/// Models use only what [`Float`] and [`FloatConst`] offer, less `mul_add` (a slow library call without the target
+/// feature), and less `cbrt` and `integer_decode`, which xprec does not implement.
+pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
+    /// The name of the precision at the command line: `f32`, `f64` or `reference`.
+    const NAME: &'static str;
+
+    /// Unit round-off: the largest relative error of one rounded operation.
+    const UNIT_ROUNDOFF: f64;
+
+    /// The value of this type nearest to `x`.
+    fn of(x: f64) -> Self;
+
+    /// The `f64` nearest to `self`.
+    fn as_f64(self) -> f64;
+
+    /// `self` squared.
+    #[inline(always)]
+    fn sqr(self) -> Self {
+        self * self
+    }
+
+    /// The square root of `self`, 0 for the tiny negative numbers that rounding leaves where a true zero was meant.
+    #[inline(always)]
+    fn sqrt_clamped(self) -> Self {
+        if self > Self::zero() {
+            self.sqrt()
+        } else {
+            Self::zero()
+        }
+    }
+
+    /// `self` where it is a number up to the largest finite one, the largest finite one otherwise.
+    ///
+    /// For values whose true size overflows the type. A double-double overflow yields NaN rather than infinity,
+    /// therefore NaN saturates too.
+    #[inline(always)]
+    fn saturated(self) -> Self {
+        if self <= Self::max_value() {
+            self
+        } else {
+            Self::max_value()
+        }
+    }
+}
+
+impl Real for f32 {
+    const NAME: &'static str = "f32";
+    const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
+
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        x as Self
+    }
+
+    #[inline(always)]
+    fn as_f64(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+impl Real for f64 {
+    const NAME: &'static str = "f64";
+    const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn as_f64(self) -> f64 {
+        self
+    }
+}
+
+impl Real for Df64 {
+    const NAME: &'static str = "reference";
+    const UNIT_ROUNDOFF: f64 = f64::EPSILON * f64::EPSILON / 4.0;
+
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        Self::new(x)
+    }
+
+    #[inline(always)]
+    fn as_f64(self) -> f64 {
+        self.hi() + self.lo()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn elementary<R: Real>() {
+        assert_eq!(R::of(0.0).sqrt().as_f64(), 0.0);
+        assert_eq!(R::of(-1e-30).sqrt_clamped().as_f64(), 0.0);
+        assert_eq!(R::of(2.25).sqrt_clamped().as_f64(), 1.5);
+        let overflowed = R::max_value() * R::of(4.0);
+        assert!(overflowed.saturated().is_finite(), "{}", R::NAME);
+        assert_eq!(R::of(1.5).saturated().as_f64(), 1.5);
+    }
+
+    #[test]
+    fn every_precision_has_the_same_elementary_behaviour() {
+        elementary::<f32>();
+        elementary::<f64>();
+        elementary::<Df64>();
+    }
+
+    #[test]
+    fn the_reference_carries_thirty_digits() {
+        let third = Df64::of(1.0) / Df64::of(3.0);
+        let error = (third * Df64::of(3.0) - Df64::of(1.0)).as_f64().abs();
+        // Two roundings of at most 2^-104 each.
+        assert!(error < 1e-31, "{error}");
+        let sqrt_two = Df64::of(2.0).sqrt();
+        assert!((sqrt_two.sqr() - Df64::of(2.0)).as_f64().abs() < 1e-31);
+    }
+}

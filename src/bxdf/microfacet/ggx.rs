@@ -1,0 +1,153 @@
+//! The anisotropic GGX (Trowbridge-Reitz) distribution with Smith masking, in vector form.
+//!
+//! # Source
+//! Walter et al. 2007 (`walter2007`), Heitz 2014 (`heitz2014`), Dupuy & Benyoub 2023 (`dupuy2023`) for the sampler.
+//!
+//! # Departures
+//! None in value. tan(theta) never appears: near grazing it overflows, and near normal incidence 1 - cos^2 loses its
+//! digits. In f32 at alpha 1e-3 the form used here is good to 7e-7, the textbook form to 38 %.
+
+use num_traits::Float;
+
+use super::Masking;
+use crate::bxdf::math::{Real, Vec3};
+
+/// GGX with widths `alpha_x`, `alpha_y` along s and t, both above 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Ggx<R> {
+    alpha_x: R,
+    alpha_y: R,
+}
+
+impl<R: Real> Ggx<R> {
+    /// The distribution with these widths, used as given.
+    pub fn new(alpha_x: R, alpha_y: R) -> Self {
+        Self { alpha_x, alpha_y }
+    }
+
+    /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides.
+    #[inline(always)]
+    pub fn d(&self, wh: Vec3<R>) -> R {
+        let x = wh.x / self.alpha_x;
+        let y = wh.y / self.alpha_y;
+        let q = x * x + y * y + wh.z * wh.z;
+        R::one() / (R::PI() * (self.alpha_x * self.alpha_y) * (q * q))
+    }
+
+    /// |w stretched by the widths|: sqrt(z^2 + alpha_x^2 x^2 + alpha_y^2 y^2). Heitz's 1 + 2 Lambda is this over |z|.
+    #[inline(always)]
+    pub fn stretched_length(&self, w: Vec3<R>) -> R {
+        let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
+        (w.z * w.z + x * x + y * y).sqrt()
+    }
+
+    /// D(wh) G2 / (4 mu_o mu_i) of two directions on the same side: the lobe less its Fresnel factor. Saturates.
+    ///
+    /// Correlated: G2 / (4 mu_o mu_i) = 1/2 / (t_i mu_o + t_o mu_i), separable: 1 / ((mu_i + t_i)(mu_o + t_o)),
+    /// t = [`Self::stretched_length`]: no division by a cosine.
+    #[inline(always)]
+    pub fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
+        let (mu_o, mu_i) = (wo.z.abs(), wi.z.abs());
+        let (t_o, t_i) = (self.stretched_length(wo), self.stretched_length(wi));
+        let denominator = match masking {
+            Masking::Correlated => R::of(2.0) * (t_i * mu_o + t_o * mu_i),
+            Masking::Separable => (mu_i + t_i) * (mu_o + t_o),
+        };
+        // Double grazing can underflow the denominator to 0; the smallest normal number makes that saturation.
+        (self.d(wh) / denominator.max(R::min_positive_value())).saturated()
+    }
+
+    /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`:
+    /// D G1(wo) (wo.wh) / mu_o over 4 (wo.wh), that is D / (2 (mu_o + t_o)).
+    #[inline(always)]
+    pub fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
+        let denominator = R::of(2.0) * (wo.z.abs() + self.stretched_length(wo));
+        (self.d(wh) / denominator.max(R::min_positive_value())).saturated()
+    }
+
+    /// A visible normal of `wo` (on the upper side), by the spherical cap of the stretched configuration.
+    ///
+    /// With v = stretched wo, a point of the cap z in (-v_z, 1) plus v is the normal sought. Writing z = s - v_z with
+    /// s = (1 - u1)(1 + v_z) gives 1 - z^2 = u1 (1 + v_z)(1 - v_z + s), free of cancellation.
+    #[inline(always)]
+    pub fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        let one = R::one();
+        let (v, _) = Vec3::new(self.alpha_x * wo.x, self.alpha_y * wo.y, wo.z).unit_and_length()?;
+        let (sin_phi, cos_phi) = Float::sin_cos(R::of(2.0) * R::PI() * u[0]);
+        let s = (one - u[1]) * (one + v.z);
+        let sin_theta = (u[1] * (one + v.z) * (one - v.z + s)).sqrt_clamped();
+        let cap = Vec3::new(sin_theta * cos_phi + v.x, sin_theta * sin_phi + v.y, s);
+        let (wh, _) =
+            Vec3::new(self.alpha_x * cap.x, self.alpha_y * cap.y, cap.z).unit_and_length()?;
+        Some(wh)
+    }
+
+    /// `wo` (on the upper side) reflected at a visible normal; it may leave below the horizon.
+    #[inline(always)]
+    pub fn sample_reflection(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        let wh = self.sample_visible_normal(wo, u)?;
+        Some(wh * (R::of(2.0) * wo.dot(wh)) - wo)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_peak_is_the_published_one() {
+        for (a, b) in [(0.1, 0.1), (0.05, 0.4), (1e-4, 1e-4)] {
+            let peak = Ggx::new(a, b).d(Vec3::new(0.0, 0.0, 1.0));
+            assert!((peak * std::f64::consts::PI * a * b - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn white_furnace_integrand_at_normal_incidence_matches_the_closed_form() {
+        // At alpha 1 and wo = n, the separable lobe integrates to 1 - ln 2; over wi = (sin, 0, cos) by the midpoint rule.
+        let ggx = Ggx::new(1.0, 1.0);
+        let wo = Vec3::new(0.0, 0.0, 1.0);
+        let steps = 20_000;
+        let width = std::f64::consts::FRAC_PI_2 / f64::from(steps);
+        let mut sum = 0.0;
+        for i in 0..steps {
+            let (sin, cos) = ((f64::from(i) + 0.5) * width).sin_cos();
+            let wi = Vec3::new(sin, 0.0, cos);
+            let (wh, _) = super::super::half_vector(wo, wi).unwrap();
+            sum += ggx.lobe(wo, wi, wh, Masking::Separable)
+                * cos
+                * sin
+                * width
+                * std::f64::consts::TAU;
+        }
+        // Midpoint rule, error of order width^2.
+        assert!((sum - (1.0 - std::f64::consts::LN_2)).abs() < 1e-8, "{sum}");
+    }
+
+    #[test]
+    fn visible_normals_are_unit_and_visible_at_the_ends_of_the_square() {
+        let last = 1.0 - f32::EPSILON / 2.0;
+        for alpha in [1e-4_f32, 0.3, 1.0] {
+            let ggx = Ggx::new(alpha, 1.0);
+            for u in [
+                [0.0, 0.0],
+                [0.0, last],
+                [last, 0.0],
+                [last, last],
+                [0.5, 0.5],
+            ] {
+                for wo in [
+                    Vec3::new(0.0, 0.0, 1.0),
+                    Vec3::new(1.0, 0.0, 1e-20),
+                    Vec3::new(0.6, 0.0, 0.8),
+                ] {
+                    let wh = ggx.sample_visible_normal(wo, u).unwrap();
+                    assert!(
+                        (wh.length_squared() - 1.0).abs() < 1e-6 && wh.z > 0.0,
+                        "{wh:?}"
+                    );
+                }
+            }
+        }
+    }
+}

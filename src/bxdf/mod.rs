@@ -1,0 +1,209 @@
+//! The model core: what a BxDF is, and every model. No egui, no files, no threads, no clock.
+//!
+//! The conventions (frame, directions, units, deltas) are those of the crate documentation.
+
+pub mod material;
+pub mod math;
+pub mod microfacet;
+pub mod models;
+pub mod optics;
+pub mod param;
+pub mod rotated;
+pub mod spec;
+
+pub use material::Material;
+pub use spec::{
+    Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side,
+};
+
+use math::{Real, Vec3};
+use optics::Spectrum;
+
+/// A scattering model at one set of parameters: a BRDF, a BTDF or both, in precision `R`.
+///
+/// All three methods are total: for unit directions they return finite, non-negative values, saturated where the true
+/// value overflows the type. A direction in the horizon plane itself (z = 0) carries nothing: 0, and no sample.
+pub trait Bxdf<R: Real>: Send + Sync {
+    /// The value f(wo, wi) in 1/sr, without the cosine, for radiance. Dirac deltas are not values: they count as 0.
+    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R>;
+
+    /// The density per solid angle with which [`Self::sample_f`] returns `wi` for `wo`, in 1/sr; 0 for deltas.
+    ///
+    /// Its integral over the sphere is the probability that `sample_f` returns a sample that is no delta.
+    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R;
+
+    /// A direction of incidence for `wo`: `uc` chooses among lobes, `u` a direction, all uniform in [0, 1).
+    ///
+    /// `None` is "no sample": a random choice that leaves the hemisphere, or total internal reflection.
+    fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>>;
+
+    /// The Dirac delta lobes of `w`, at most one to either side; none for most models.
+    fn deltas(&self, _w: Vec3<R>) -> Deltas<R> {
+        [None, None]
+    }
+}
+
+/// What [`Bxdf::sample_f`] returns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<R> {
+    /// The direction sampled, a unit vector.
+    pub wi: Vec3<R>,
+    /// f(wo, wi) in 1/sr; for a delta its weight over |cos(theta_i)|.
+    pub f: Spectrum<R>,
+    /// The density of `wi` in 1/sr; for a delta the probability of choosing it.
+    pub pdf: R,
+    /// Whether `wi` comes from a Dirac delta.
+    pub is_delta: bool,
+}
+
+impl<R: Real> Sample<R> {
+    /// f |cos(theta_i)| / pdf: what a path's throughput is multiplied by.
+    pub fn weight(&self) -> Spectrum<R> {
+        self.f * (self.wi.z.abs() / self.pdf)
+    }
+}
+
+/// A Dirac delta lobe of a direction `w`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Delta<R> {
+    /// Where it points: both where light arriving along `w` leaves, and whence light leaving along `w` came.
+    pub direction: Vec3<R>,
+    /// The share of the flux arriving along `w` that leaves along `direction`.
+    pub flux: Spectrum<R>,
+    /// Radiance along `w` over radiance along `direction`: the flux share over e^2, e being the index on
+    /// `direction`'s side over that on `w`'s side; f |cos(theta_i)| of the delta.
+    pub weight: Spectrum<R>,
+    /// The probability with which [`Bxdf::sample_f`] chooses it.
+    pub probability: R,
+    /// To which side it goes.
+    pub side: Side,
+}
+
+/// The deltas of a direction; models have at most one to either side.
+pub type Deltas<R> = [Option<Delta<R>>; 2];
+
+impl<R: Real> Delta<R> {
+    /// The sample that stands for this delta.
+    pub fn sample(&self) -> Sample<R> {
+        let cos = self.direction.z.abs().max(R::min_positive_value());
+        Sample {
+            wi: self.direction,
+            f: self.weight.map(|weight| (weight / cos).saturated()),
+            pdf: self.probability,
+            is_delta: true,
+        }
+    }
+}
+
+/// The sample of one of `deltas`, chosen by `uc` with their probabilities. `None` where they leave a rest and `uc`
+/// falls into it.
+pub fn sample_deltas<R: Real>(deltas: Deltas<R>, uc: R) -> Option<Sample<R>> {
+    let mut rest = uc;
+    for delta in deltas.into_iter().flatten() {
+        if rest < delta.probability {
+            return Some(delta.sample());
+        }
+        rest = rest - delta.probability;
+    }
+    None
+}
+
+/// `wo` and `wi` above the surface, for a two-sided reflection model: mirrored in the surface where both are below.
+///
+/// `None` where they are on different sides, or one of them lies in the horizon plane.
+#[inline(always)]
+pub fn both_above<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> Option<(Vec3<R>, Vec3<R>)> {
+    let zero = R::zero();
+    if wo.z > zero && wi.z > zero {
+        Some((wo, wi))
+    } else if wo.z < zero && wi.z < zero {
+        Some((wo.mirrored_in_surface(), wi.mirrored_in_surface()))
+    } else {
+        None
+    }
+}
+
+/// Whether `wo` and `wi` lie strictly on different sides of the surface.
+#[inline(always)]
+pub fn are_across<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> bool {
+    let zero = R::zero();
+    (wo.z > zero && wi.z < zero) || (wo.z < zero && wi.z > zero)
+}
+
+/// Samples a two-sided reflection model whose `sample_above` draws `wi` for a `wo` above the surface.
+///
+/// `None` where `wo` lies in the horizon plane, and where the direction drawn is not above it.
+#[inline(always)]
+pub fn sample_reflection<R: Real>(
+    model: &impl Bxdf<R>,
+    wo: Vec3<R>,
+    sample_above: impl FnOnce(Vec3<R>) -> Option<Vec3<R>>,
+) -> Option<Sample<R>> {
+    let zero = R::zero();
+    let is_above = wo.z > zero;
+    let wo_above = if is_above {
+        wo
+    } else {
+        wo.mirrored_in_surface()
+    };
+    if wo_above.z <= zero || wo_above.z.is_nan() {
+        return None;
+    }
+    let wi_above = sample_above(wo_above).filter(|wi| wi.z > zero)?;
+    let wi = if is_above {
+        wi_above
+    } else {
+        wi_above.mirrored_in_surface()
+    };
+    Some(Sample {
+        wi,
+        f: model.f(wo, wi),
+        pdf: model.pdf(wo, wi),
+        is_delta: false,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_sided_models_see_both_directions_above() {
+        let up = Vec3::new(0.6_f32, 0.0, 0.8);
+        let tiny = Vec3::new(1.0_f32, 0.0, 1e-38);
+        assert_eq!(
+            both_above(-up, -tiny),
+            Some((Vec3::new(-0.6, 0.0, 0.8), Vec3::new(-1.0, 0.0, 1e-38)))
+        );
+        assert_eq!(both_above(up, Vec3::new(1.0, 0.0, 0.0)), None);
+        // The product of these cosines underflows; the signs do not.
+        assert!(both_above(tiny, tiny).is_some() && are_across(tiny, -tiny));
+    }
+
+    #[test]
+    fn deltas_are_chosen_by_their_probability() {
+        let delta = |z: f64, probability: f64| {
+            let spectrum = Spectrum::grey(probability);
+            let side = if z > 0.0 {
+                Side::Reflection
+            } else {
+                Side::Transmission
+            };
+            Some(Delta {
+                direction: Vec3::new(0.0, 0.0, z),
+                flux: spectrum,
+                weight: spectrum,
+                probability,
+                side,
+            })
+        };
+        let deltas = [delta(1.0, 0.25), delta(-1.0, 0.5)];
+        assert!(
+            sample_deltas(deltas, 0.2).is_some_and(|s| s.wi.z > 0.0 && s.pdf == 0.25 && s.is_delta)
+        );
+        assert!(
+            sample_deltas(deltas, 0.3).is_some_and(|s| s.wi.z < 0.0 && s.weight().0 == [1.0; 3])
+        );
+        assert!(sample_deltas(deltas, 0.8).is_none());
+    }
+}

@@ -1,0 +1,60 @@
+//! The ideal diffuse reflector: the same radiance in every direction.
+//!
+//! # Source
+//! Lambert 1760, "Photometria" (`lambert1760`): f = rho / pi.
+//!
+//! # Departures
+//! None.
+//!
+//! # Validity
+//! Exact for every direction and reflectance.
+
+use super::*;
+use crate::bxdf::math::warp;
+use crate::bxdf::optics::Spectrum;
+use crate::bxdf::param::ParamSet;
+use crate::bxdf::{both_above, sample_reflection};
+
+/// The list entry.
+pub(super) static SPEC: ModelSpec = ModelSpec {
+    id: "lambertian_reflection",
+    title: "Lambertian reflection",
+    source: "Lambert 1760, Photometria",
+    summary: "The same radiance in every direction: a half circle in the polar plot, wherever the light stands",
+    lobes: &[Lobe::reflection(Category::Diffuse)],
+    parameters: &[REFLECTANCE],
+    properties: Properties::PLAIN,
+    validate: ModelSpec::any,
+    builders: Builders {
+        f32: build,
+        f64: build,
+        reference: build,
+    },
+};
+
+struct LambertianReflection<R> {
+    reflectance: Spectrum<R>,
+}
+
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+    Box::new(LambertianReflection {
+        reflectance: Spectrum::of(params.rgb("reflectance")),
+    })
+}
+
+impl<R: Real> Bxdf<R> for LambertianReflection<R> {
+    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        match both_above(wo, wi) {
+            Some(_) => self.reflectance * R::FRAC_1_PI(),
+            None => Spectrum::black(),
+        }
+    }
+
+    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        both_above(wo, wi).map_or(R::zero(), |(_, wi)| wi.z * R::FRAC_1_PI())
+    }
+
+    fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
+        sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
+    }
+}

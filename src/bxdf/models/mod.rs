@@ -1,0 +1,151 @@
+//! The catalogue: one file per model, and the one list of them.
+
+mod fresnel_specular;
+mod lambertian_reflection;
+mod lambertian_transmission;
+mod oren_nayar;
+mod retro_reflector;
+mod rough_conductor;
+mod specular_reflection;
+mod specular_transmission;
+
+use super::math::{Real, Vec3};
+use super::param::ParamSpec;
+use super::spec::{Builders, Category, Declaration, Law, Lobe, ModelSpec, Properties, Side};
+use super::{Bxdf, Sample};
+use crate::error::{Error, Result};
+
+/// Every model, in the order of the catalogue: grouped by category.
+pub static MODELS: [&ModelSpec; 8] = [
+    &lambertian_reflection::SPEC,
+    &lambertian_transmission::SPEC,
+    &oren_nayar::SPEC,
+    &rough_conductor::SPEC,
+    &specular_reflection::SPEC,
+    &specular_transmission::SPEC,
+    &fresnel_specular::SPEC,
+    &retro_reflector::SPEC,
+];
+
+/// The model with this id.
+///
+/// # Errors
+/// [`Error::UnknownId`], with the nearest ids.
+pub fn find(id: &str) -> Result<&'static ModelSpec> {
+    MODELS
+        .into_iter()
+        .find(|model| model.id == id)
+        .ok_or_else(|| Error::unknown("model", id, MODELS.iter().map(|model| model.id)))
+}
+
+/// The reflectance of a diffuse or wholly reflecting surface.
+const REFLECTANCE: ParamSpec = ParamSpec::rgb(
+    "reflectance",
+    [0.8; 3],
+    "Share of the light that is reflected, per channel; black absorbs all",
+);
+
+/// The relative index of refraction of a dielectric below the surface.
+const DIELECTRIC_ETA: ParamSpec = ParamSpec::number(
+    "eta",
+    1.5,
+    "Index of refraction below the surface over the one above: 1.33 water, 1.5 glass, 2.42 diamond",
+)
+.hard(DIELECTRIC_ETA_RANGE[0], DIELECTRIC_ETA_RANGE[1])
+.soft(1.0, 3.0);
+
+/// Hard range of a dielectric's relative index: beyond it no medium exists, and the formulas are not tested.
+const DIELECTRIC_ETA_RANGE: [f64; 2] = [0.25, 1000.0];
+
+/// The real part of a conductor's relative index.
+const CONDUCTOR_ETA: ParamSpec = ParamSpec::rgb(
+    "eta",
+    [0.143, 0.375, 1.442],
+    "Index of refraction n of the metal at about 630, 540 and 450 nm",
+)
+.hard(0.0, 1e4)
+.soft(0.0, 5.0);
+
+/// The imaginary part of a conductor's relative index.
+const CONDUCTOR_K: ParamSpec = ParamSpec::rgb(
+    "k",
+    [3.983, 2.386, 1.603],
+    "Absorption index k of the metal at about 630, 540 and 450 nm; larger means a more perfect mirror",
+)
+.hard(0.0, 1e10)
+.soft(0.0, 10.0);
+
+/// Refuses eta = k = 0 in any channel: such a medium has no Fresnel reflectance.
+fn refuse_zero_index(params: &super::param::ParamSet) -> Result<()> {
+    let (eta, k) = (params.rgb("eta"), params.rgb("k"));
+    if eta.iter().zip(k).any(|(&n, k)| n == 0.0 && k == 0.0) {
+        return Err(params.error(
+            "eta",
+            "eta and k may not both be 0 in a channel: no medium has index 0",
+        ));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_are_unique_and_models_build_in_every_precision() {
+        for (index, model) in MODELS.iter().enumerate() {
+            assert!(
+                MODELS
+                    .iter()
+                    .skip(index + 1)
+                    .all(|other| other.id != model.id)
+            );
+            let params = model.defaults();
+            assert!((model.validate)(&params).is_ok(), "{}", model.id);
+            for (spec, value) in params.iter() {
+                assert!(spec.allows(value), "{}:{}", model.id, spec.name);
+                assert!(
+                    spec.hard[0] <= spec.soft[0] && spec.soft[1] <= spec.hard[1],
+                    "{}:{}",
+                    model.id,
+                    spec.name
+                );
+                assert!(
+                    !spec.meaning.is_empty() && !spec.meaning.ends_with('.'),
+                    "{}:{}",
+                    model.id,
+                    spec.name
+                );
+                assert!(params.is_relevant(spec) || spec.relevant_when.is_some());
+            }
+            let (up, side) = (Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.6, 0.0, 0.8));
+            let value = model.build::<f64>(&params).f(up, side).to_f64();
+            let single = model
+                .build::<f32>(&params)
+                .f(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.6, 0.0, 0.8))
+                .to_f64();
+            assert!(
+                value
+                    .iter()
+                    .zip(single)
+                    .all(|(v, s)| (v - s).abs() <= 1e-5 * v),
+                "{}",
+                model.id
+            );
+        }
+    }
+
+    #[test]
+    fn categories_stand_together_in_the_list() {
+        let categories: Vec<Category> = MODELS.iter().map(|model| model.category()).collect();
+        for category in Category::ALL {
+            let first = categories.iter().position(|c| *c == category);
+            let last = categories.iter().rposition(|c| *c == category);
+            let (first, last) = (first.expect("a model of each category"), last.unwrap());
+            assert!(
+                categories[first..=last].iter().all(|c| *c == category),
+                "{category:?}"
+            );
+        }
+    }
+}

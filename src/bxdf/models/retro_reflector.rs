@@ -1,0 +1,100 @@
+//! A retro-reflective sheet: the lobe points back to where the light came from.
+//!
+//! # Source
+//! Belcour, Pacanowski, Delahaie, Laville-Geay, Eupherte 2014, "BRDF Measurements and Analysis of Retroreflective
+//! Materials" (`belcour2014`), hal-01083366: the back vector parametrisation. A glossy lobe of the direction to the
+//! viewer and the mirrored direction to the light peaks at wi = wo.
+//!
+//! # Departures
+//! The lobe put behind the back vector is GGX with correlated masking and no Fresnel factor, scaled by `reflectance`;
+//! the paper fits several.
+//!
+//! # Validity
+//! As `rough_conductor`: light lost to repeated facets, saturation where both directions graze.
+
+use super::*;
+use crate::bxdf::microfacet::ggx::Ggx;
+use crate::bxdf::microfacet::{Masking, alpha, half_vector};
+use crate::bxdf::optics::Spectrum;
+use crate::bxdf::param::ParamSet;
+use crate::bxdf::{both_above, sample_reflection};
+
+/// The list entry.
+pub(super) static SPEC: ModelSpec = ModelSpec {
+    id: "retro_reflector",
+    title: "Retro-reflector",
+    source: "Belcour et al. 2014, BRDF Measurements and Analysis of Retroreflective Materials",
+    summary: "A road sign or a bicycle reflector: the lobe points back at the light, wherever it stands",
+    lobes: &[Lobe::reflection(Category::RetroReflective)],
+    parameters: &[
+        REFLECTANCE,
+        alpha("alpha_x", 0.15, "Width of the returned lobe along s"),
+        alpha("alpha_y", 0.15, "Width of the returned lobe along t"),
+    ],
+    properties: Properties::TWO_WIDTHS,
+    validate: ModelSpec::any,
+    builders: Builders {
+        f32: build,
+        f64: build,
+        reference: build,
+    },
+};
+
+struct RetroReflector<R> {
+    reflectance: Spectrum<R>,
+    ggx: Ggx<R>,
+}
+
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+    Box::new(RetroReflector {
+        reflectance: Spectrum::of(params.rgb("reflectance")),
+        ggx: Ggx::new(
+            R::of(params.number("alpha_x")),
+            R::of(params.number("alpha_y")),
+        ),
+    })
+}
+
+impl<R: Real> Bxdf<R> for RetroReflector<R> {
+    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        let back = wi.mirrored_about_normal();
+        let Some((wh, _)) = half_vector(wo, back) else {
+            return Spectrum::black();
+        };
+        self.reflectance * self.ggx.lobe(wo, back, wh, Masking::Correlated)
+    }
+
+    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        both_above(wo, wi)
+            .and_then(|(wo, wi)| {
+                let (wh, _) = half_vector(wo, wi.mirrored_about_normal())?;
+                Some(self.ggx.reflection_pdf(wo, wh))
+            })
+            .unwrap_or(R::zero())
+    }
+
+    fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
+        sample_reflection(self, wo, |wo| {
+            Some(self.ggx.sample_reflection(wo, u)?.mirrored_about_normal())
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::bxdf::Material;
+    use crate::bxdf::math::frame::direction_from_degrees;
+
+    #[test]
+    fn the_light_gets_most_of_it_back() {
+        let sign: Material = "retro_reflector".parse().unwrap();
+        let sign = sign.build::<f64>();
+        let light = direction_from_degrees(40.0, 25.0).into();
+        let f = |theta, phi| sign.f(direction_from_degrees(theta, phi).into(), light).0[0];
+        assert!(f(40.0, 25.0) > f(35.0, 25.0) && f(40.0, 25.0) > f(40.0, 35.0));
+        assert!(f(40.0, 25.0) > 100.0 * f(40.0, 205.0));
+    }
+}

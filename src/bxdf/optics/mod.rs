@@ -1,0 +1,6 @@
+//! Light at an interface: spectra of three channels and Fresnel's equations.
+
+pub mod fresnel;
+pub mod spectrum;
+
+pub use spectrum::Spectrum;

@@ -1,0 +1,100 @@
+//! A surface turned about its normal.
+
+use super::math::{Real, Vec3};
+use super::optics::Spectrum;
+use super::{Bxdf, Delta, Deltas, Sample};
+
+/// `inner` on a surface whose s axis points to azimuth `angle`: the same model with all directions turned.
+pub struct Rotated<R: Real> {
+    inner: Box<dyn Bxdf<R>>,
+    cos: R,
+    sin: R,
+}
+
+impl<R: Real> Rotated<R> {
+    /// `inner` turned by `cos_sin`, the cosine and sine of the angle from the fixed s axis to the surface's own.
+    #[must_use]
+    pub fn new(inner: Box<dyn Bxdf<R>>, cos_sin: (R, R)) -> Self {
+        Self {
+            inner,
+            cos: cos_sin.0,
+            sin: cos_sin.1,
+        }
+    }
+
+    #[inline]
+    fn local_from_fixed(&self, w: Vec3<R>) -> Vec3<R> {
+        Vec3::new(
+            self.cos * w.x + self.sin * w.y,
+            self.cos * w.y - self.sin * w.x,
+            w.z,
+        )
+    }
+
+    #[inline]
+    fn fixed_from_local(&self, w: Vec3<R>) -> Vec3<R> {
+        Vec3::new(
+            self.cos * w.x - self.sin * w.y,
+            self.cos * w.y + self.sin * w.x,
+            w.z,
+        )
+    }
+}
+
+impl<R: Real> Bxdf<R> for Rotated<R> {
+    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        self.inner
+            .f(self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.inner
+            .pdf(self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
+        let sample = self.inner.sample_f(self.local_from_fixed(wo), uc, u)?;
+        Some(Sample {
+            wi: self.fixed_from_local(sample.wi),
+            ..sample
+        })
+    }
+
+    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
+        let turned = |delta: Delta<R>| Delta {
+            direction: self.fixed_from_local(delta.direction),
+            ..delta
+        };
+        self.inner
+            .deltas(self.local_from_fixed(w))
+            .map(|delta| delta.map(turned))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bxdf::Material;
+    use crate::bxdf::math::frame::{cos_sin_deg, direction_from_degrees};
+
+    #[test]
+    fn turning_the_surface_is_turning_the_directions_back() {
+        let material: Material = "rough_conductor:alpha_x=0.1,alpha_y=0.5".parse().unwrap();
+        let turned = Rotated::new(material.build::<f64>(), cos_sin_deg(30.0));
+        let f = |model: &dyn Bxdf<f64>, azimuth: f64| {
+            let wo = direction_from_degrees(40.0, azimuth).into();
+            let wi = direction_from_degrees(30.0, azimuth + 150.0).into();
+            model.f(wo, wi).0[0]
+        };
+        let expected = f(&*material.build(), -30.0);
+        assert!((f(&turned, 0.0) / expected - 1.0).abs() < 1e-12);
+        assert!(
+            (f(&turned, 0.0) / f(&*material.build(), 0.0) - 1.0).abs() > 0.1,
+            "the lobe is anisotropic"
+        );
+        let wo = direction_from_degrees(40.0, 0.0).into();
+        let sample = turned.sample_f(wo, 0.5, [0.3, 0.6]).unwrap();
+        assert!((turned.f(wo, sample.wi).0[0] / sample.f.0[0] - 1.0).abs() < 1e-10);
+        assert!((turned.pdf(wo, sample.wi) / sample.pdf - 1.0).abs() < 1e-10);
+    }
+}

@@ -1,0 +1,297 @@
+//! What a model says of itself: everything that lists, documents, draws or tests models follows from a [`ModelSpec`].
+
+use std::fmt;
+
+use xprec::Df64;
+
+use super::Bxdf;
+use super::math::Real;
+use super::param::{ParamSet, ParamSpec};
+use crate::error::Result;
+
+/// The kind of reflection a lobe belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Category {
+    /// Light spread over all directions, whatever the mirror direction.
+    Diffuse,
+    /// Light gathered about the mirror (or refracted) direction, in a lobe of finite width.
+    GlossySpecular,
+    /// Light in exactly the mirror (or refracted) direction: a Dirac delta.
+    PerfectSpecular,
+    /// Light gathered about the direction it came from.
+    RetroReflective,
+}
+
+impl Category {
+    /// All categories, in the order in which they are taught.
+    pub const ALL: [Self; 4] = [
+        Self::Diffuse,
+        Self::GlossySpecular,
+        Self::PerfectSpecular,
+        Self::RetroReflective,
+    ];
+
+    /// The word for it in `models --json`.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Diffuse => "diffuse",
+            Self::GlossySpecular => "glossy_specular",
+            Self::PerfectSpecular => "perfect_specular",
+            Self::RetroReflective => "retro_reflective",
+        }
+    }
+
+    /// The name at the screen, in sentence case.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Diffuse => "Diffuse",
+            Self::GlossySpecular => "Glossy specular",
+            Self::PerfectSpecular => "Perfect specular",
+            Self::RetroReflective => "Retro-reflective",
+        }
+    }
+
+    /// One sentence a newcomer understands.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Diffuse => {
+                "Light leaves in all directions, wherever it came from: chalk, paper, plaster"
+            }
+            Self::GlossySpecular => {
+                "Light gathers about the mirror direction: brushed metal, satin paint, frosted glass"
+            }
+            Self::PerfectSpecular => {
+                "Light leaves in exactly one direction: a mirror, still water, clear glass"
+            }
+            Self::RetroReflective => {
+                "Light returns to where it came from: road signs, the full moon"
+            }
+        }
+    }
+}
+
+/// To which side of the surface a lobe sends the light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Side {
+    /// Back to the side it came from.
+    Reflection,
+    /// Across the surface.
+    Transmission,
+}
+
+impl Side {
+    /// The word for it in `models --json`.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Reflection => "reflection",
+            Self::Transmission => "transmission",
+        }
+    }
+}
+
+/// A lobe of a model: its category and its side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lobe {
+    /// The kind of reflection.
+    pub category: Category,
+    /// The side of the surface.
+    pub side: Side,
+}
+
+impl Lobe {
+    /// A reflecting lobe of this category.
+    #[must_use]
+    pub const fn reflection(category: Category) -> Self {
+        Self {
+            category,
+            side: Side::Reflection,
+        }
+    }
+
+    /// A transmitting lobe of this category.
+    #[must_use]
+    pub const fn transmission(category: Category) -> Self {
+        Self {
+            category,
+            side: Side::Transmission,
+        }
+    }
+}
+
+/// A law every model is tested against, unless it declares where it breaks it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// `rho_dh` <= 1: no more flux leaves than arrives.
+    Energy,
+    /// `n_i^2` f(wo, wi) = `n_o^2` f(wi, wo).
+    Reciprocity,
+}
+
+impl Law {
+    /// The word for it in reports.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Energy => "energy",
+            Self::Reciprocity => "reciprocity",
+        }
+    }
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+/// A law that a model, as published, does not keep, and a witness: where it can be seen.
+#[derive(Clone, Copy, Debug)]
+pub struct Declaration {
+    /// The law.
+    pub law: Law,
+    /// The parameters of the witness, as `name=value,name=value`.
+    pub parameters: &'static str,
+    /// The polar angle of incidence of the witness, in degrees.
+    pub theta_deg: f64,
+    /// By how much, and why the model is kept as it is.
+    pub note: &'static str,
+}
+
+/// What holds for a model whatever its parameters, less its declarations.
+#[derive(Clone, Copy, Debug)]
+pub struct Properties {
+    /// Whether the lobe stays as it is when the surface turns about n, at these parameters.
+    pub is_isotropic: fn(&ParamSet) -> bool,
+    /// The index of refraction below the surface over the one above, at these parameters; 1 without transmission.
+    pub relative_index: fn(&ParamSet) -> f64,
+    /// The laws it breaks as published.
+    pub declarations: &'static [Declaration],
+}
+
+impl Properties {
+    /// Isotropic, one medium, no law broken.
+    pub const PLAIN: Self = Self {
+        is_isotropic: |_| true,
+        relative_index: |_| 1.0,
+        declarations: &[],
+    };
+
+    /// Isotropic where `alpha_x` = `alpha_y`, else as [`Self::PLAIN`].
+    pub const TWO_WIDTHS: Self = Self {
+        is_isotropic: |params| params.number("alpha_x") == params.number("alpha_y"),
+        ..Self::PLAIN
+    };
+}
+
+/// The constructors of a model, one per precision: the same generic function three times.
+#[derive(Clone, Copy)]
+pub struct Builders {
+    /// In `f32`.
+    pub f32: fn(&ParamSet) -> Box<dyn Bxdf<f32>>,
+    /// In `f64`.
+    pub f64: fn(&ParamSet) -> Box<dyn Bxdf<f64>>,
+    /// In the reference precision.
+    pub reference: fn(&ParamSet) -> Box<dyn Bxdf<Df64>>,
+}
+
+/// A precision that models can be built in.
+pub trait Precision: Real {
+    /// The constructor for this precision.
+    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>>;
+}
+
+impl Precision for f32 {
+    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>> {
+        builders.f32
+    }
+}
+
+impl Precision for f64 {
+    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>> {
+        builders.f64
+    }
+}
+
+impl Precision for Df64 {
+    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>> {
+        builders.reference
+    }
+}
+
+/// A model of the catalogue.
+pub struct ModelSpec {
+    /// The id: file name, list entry and command-line word.
+    pub id: &'static str,
+    /// The name at the screen.
+    pub title: &'static str,
+    /// The paper it comes from.
+    pub source: &'static str,
+    /// One or two sentences on what to see in it.
+    pub summary: &'static str,
+    /// Its lobes; the first gives the category under which the model is listed.
+    pub lobes: &'static [Lobe],
+    /// Its parameters, in the order of the sliders.
+    pub parameters: &'static [ParamSpec],
+    /// What holds for it.
+    pub properties: Properties,
+    /// Refuses combinations of parameters that each lie in their range.
+    pub validate: fn(&ParamSet) -> Result<()>,
+    /// Its constructors.
+    pub builders: Builders,
+}
+
+impl ModelSpec {
+    /// For [`Self::validate`]: every combination is allowed.
+    ///
+    /// # Errors
+    /// None.
+    pub const fn any(_: &ParamSet) -> Result<()> {
+        Ok(())
+    }
+
+    /// The default parameters.
+    #[must_use]
+    pub fn defaults(&self) -> ParamSet {
+        ParamSet::defaults(self.id, self.parameters)
+    }
+
+    /// The model at `params`, in precision `R`.
+    #[must_use]
+    pub fn build<R: Precision>(&self, params: &ParamSet) -> Box<dyn Bxdf<R>> {
+        R::builder(&self.builders)(params)
+    }
+
+    /// Whether one of its lobes crosses the surface.
+    #[must_use]
+    pub fn transmits(&self) -> bool {
+        self.lobes
+            .iter()
+            .any(|lobe| lobe.side == Side::Transmission)
+    }
+
+    /// Whether one of its lobes stays on the side of the light.
+    #[must_use]
+    pub fn reflects(&self) -> bool {
+        self.lobes.iter().any(|lobe| lobe.side == Side::Reflection)
+    }
+
+    /// Whether all its lobes are Dirac deltas, so that `f` and `pdf` are 0 everywhere.
+    #[must_use]
+    pub fn is_delta_only(&self) -> bool {
+        self.lobes
+            .iter()
+            .all(|lobe| lobe.category == Category::PerfectSpecular)
+    }
+
+    /// The category under which it is listed.
+    #[must_use]
+    pub fn category(&self) -> Category {
+        self.lobes
+            .first()
+            .map_or(Category::Diffuse, |lobe| lobe.category)
+    }
+}

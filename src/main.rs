@@ -1,0 +1,3 @@
+//! Arguments to command line or window; no logic.
+
+fn main() {}
