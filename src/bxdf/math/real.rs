@@ -24,12 +24,14 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     fn as_f64(self) -> f64;
 
     /// `self` squared.
+    #[must_use]
     #[inline(always)]
     fn sqr(self) -> Self {
         self * self
     }
 
     /// The square root of `self`, 0 for the tiny negative numbers that rounding leaves where a true zero was meant.
+    #[must_use]
     #[inline(always)]
     fn sqrt_clamped(self) -> Self {
         if self > Self::zero() {
@@ -43,6 +45,7 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     ///
     /// For values whose true size overflows the type. A double-double overflow yields NaN rather than infinity,
     /// therefore NaN saturates too.
+    #[must_use]
     #[inline(always)]
     fn saturated(self) -> Self {
         if self <= Self::max_value() {

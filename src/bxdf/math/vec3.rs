@@ -31,6 +31,7 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The cross product, right-handed.
+    #[must_use]
     #[inline(always)]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
@@ -69,12 +70,14 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The vector mirrored in the surface: (x, y, -z).
+    #[must_use]
     #[inline(always)]
     pub fn mirrored_in_surface(self) -> Self {
         Self::new(self.x, self.y, -self.z)
     }
 
     /// The vector mirrored about the normal: (-x, -y, z), the mirror direction of a unit direction.
+    #[must_use]
     #[inline(always)]
     pub fn mirrored_about_normal(self) -> Self {
         Self::new(-self.x, -self.y, self.z)

@@ -29,12 +29,14 @@ impl<R: Real> Spectrum<R> {
     }
 
     /// The function `op` applied to each channel.
+    #[must_use]
     #[inline(always)]
     pub fn map(self, op: impl FnMut(R) -> R) -> Self {
         Self(self.0.map(op))
     }
 
     /// The function `op` applied to the channels of two spectra, pair by pair.
+    #[must_use]
     #[inline(always)]
     pub fn zip(self, other: Self, op: impl Fn(R, R) -> R) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
