@@ -1,3 +1,7 @@
 //! Arguments to command line or window; no logic.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    brdf_explorer::cli::main()
+}

@@ -1,1 +1,12 @@
-//! x
+//! What each view shows, as data: one file per view, without a window.
+
+pub mod isotropy;
+pub mod lobe;
+pub mod lobe3d;
+pub mod polar;
+pub mod quadrature;
+pub mod reflectance;
+pub mod scale;
+
+pub use lobe::{Hold, Lobe};
+pub use scale::{Channel, RadialScale};

@@ -9,7 +9,8 @@ use super::{Bxdf, models};
 use crate::error::{Error, Result};
 
 /// A model of the catalogue at validated parameters.
-#[derive(Clone)]
+#[derive(Clone, serde::Serialize, serde::Deserialize)]
+#[serde(into = "String", try_from = "String")]
 pub struct Material {
     model: &'static ModelSpec,
     params: ParamSet,
@@ -97,6 +98,20 @@ impl fmt::Display for Material {
         let params = self.params.to_string();
         let colon = if params.is_empty() { "" } else { ":" };
         write!(f, "{}{colon}{params}", self.model.id)
+    }
+}
+
+impl From<Material> for String {
+    fn from(material: Material) -> Self {
+        material.to_string()
+    }
+}
+
+impl TryFrom<String> for Material {
+    type Error = Error;
+
+    fn try_from(text: String) -> Result<Self> {
+        text.parse()
     }
 }
 

@@ -196,6 +196,14 @@ impl ParamSpec {
         self.kind == Kind::Rgb && self.hard == [0.0, 1.0]
     }
 
+    /// The name as the screen shows it: `alpha_x` is "Alpha x".
+    #[must_use]
+    pub fn label(&self) -> String {
+        let spaced = self.name.replace('_', " ");
+        let mut letters = spaced.chars();
+        letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    }
+
     /// What is allowed, as a phrase for an error line.
     #[must_use]
     pub fn allowed(&self) -> String {

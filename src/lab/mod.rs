@@ -1,1 +1,3 @@
-//! x
+//! Instruments: what holds of a model, and how exactly.
+
+pub mod contract;

@@ -1,1 +1,15 @@
-//! x
+//! The window, and pictures of it. The only module that knows egui.
+
+pub mod app;
+pub mod data;
+pub mod format;
+pub mod headless;
+pub mod memo;
+pub mod scene3d;
+pub mod session;
+pub mod theme;
+pub mod views;
+pub mod widgets;
+mod window;
+
+pub use window::run;

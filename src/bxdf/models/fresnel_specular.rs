@@ -71,7 +71,7 @@ impl<R: Real> Bxdf<R> for FresnelSpecular<R> {
         } else {
             R::one() / self.eta
         };
-        let share = fresnel::dielectric(w.z.abs(), e);
+        let share = fresnel::dielectric_along(w, e);
         let reflected = Delta {
             direction: w.mirrored_about_normal(),
             flux: Spectrum::grey(share.reflectance),

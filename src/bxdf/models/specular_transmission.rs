@@ -73,7 +73,7 @@ impl<R: Real> Bxdf<R> for SpecularTransmission<R> {
         } else {
             R::one() / self.eta
         };
-        let cos_t = fresnel::dielectric(w.z.abs(), e).cos_t;
+        let cos_t = fresnel::dielectric_along(w, e).cos_t;
         if w.z == R::zero() || cos_t == R::zero() {
             return [None, None];
         }

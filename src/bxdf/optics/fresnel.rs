@@ -28,10 +28,25 @@ pub struct Dielectric<R> {
 /// nearly equal numbers is left. Largest error in f32 8e-7, at n = 1.0001 too (the textbook form: 1.5e-3).
 #[inline(always)]
 pub fn dielectric<R: Real>(cos_i: R, n: R) -> Dielectric<R> {
+    let c = cos_i.min(R::one());
+    dielectric_of(c, (R::one() - c) * (R::one() + c), n)
+}
+
+/// [`dielectric`] along the unit vector `w`: sin^2 comes from its components in the surface, which keep the digits that
+/// a cosine near 1 has lost. Seen from a medium of index 1000 all that crosses lies within 1e-3 of the normal.
+#[inline(always)]
+pub fn dielectric_along<R: Real>(w: Vec3<R>, n: R) -> Dielectric<R> {
+    dielectric_of(w.z.abs().min(R::one()), w.x * w.x + w.y * w.y, n)
+}
+
+/// [`dielectric`] of the cosine `c` and the square of the sine `s2`.
+#[inline(always)]
+fn dielectric_of<R: Real>(c: R, s2: R, n: R) -> Dielectric<R> {
     let one = R::one();
-    let c = cos_i.min(one);
     let d = (n - one) * (n + one);
-    let g_squared = c * c + d;
+    // c^2 + d = n^2 - s^2: the sum of the smaller terms, so that neither a small index nor one near 1 cancels.
+    let c2 = c * c;
+    let g_squared = if s2 < c2 { n * n - s2 } else { c2 + d };
     let refracts = g_squared > R::zero();
     let g = g_squared.sqrt_clamped();
     let c_plus_g = c + g;

@@ -1,0 +1,203 @@
+//! `albedo`: the directional-hemispherical reflectance.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::{args, output};
+use crate::analysis::isotropy;
+use crate::analysis::reflectance::{Reflectance, directional_hemispherical};
+use crate::bxdf::math::frame::direction_from_degrees;
+use crate::bxdf::{Bxdf, Material, ModelSpec, Side};
+use crate::error::Result;
+
+/// The absolute error asked of the quadrature: a few digits beyond those printed, at no wait for any model.
+const TOLERANCE: f64 = 1e-9;
+
+#[derive(clap::Args)]
+pub(super) struct Arguments {
+    /// The material: id or id:name=value,name=value
+    material: Material,
+    /// The polar angles of incidence in degrees, 0 to 180
+    #[arg(
+        long,
+        value_parser = args::polar_angle,
+        value_delimiter = ',',
+        default_value = "0,30,60,85",
+        allow_hyphen_values = true
+    )]
+    theta: Vec<f64>,
+    /// The azimuth of incidence in degrees
+    #[arg(long, value_parser = args::azimuth, default_value = "0", allow_hyphen_values = true)]
+    phi: f64,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed, named as in the contract.
+#[derive(Serialize)]
+struct Report {
+    material: String,
+    phi: f64,
+    rows: Vec<Row>,
+    isotropic: Isotropic,
+}
+
+/// What becomes of the light arriving at `theta` degrees.
+#[derive(Serialize)]
+struct Row {
+    theta: f64,
+    reflection: [f64; 3],
+    transmission: [f64; 3],
+    absorbed: [f64; 3],
+    error: f64,
+    shares: Shares,
+}
+
+/// Flux shares by the ids of category and side.
+type Shares = BTreeMap<&'static str, BTreeMap<&'static str, [f64; 3]>>;
+
+#[derive(Serialize)]
+struct Isotropic {
+    declared: bool,
+    measured: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<()> {
+    let report = report(arguments);
+    if arguments.json {
+        output::print_json(&report)
+    } else {
+        output::print(&listing(&report))
+    }
+}
+
+fn report(arguments: &Arguments) -> Report {
+    let material = &arguments.material;
+    let bxdf = material.build::<f64>();
+    let row = |&theta: &f64| row(material.model(), &*bxdf, theta, arguments.phi);
+    Report {
+        material: material.to_string(),
+        phi: arguments.phi,
+        rows: arguments.theta.iter().map(row).collect(),
+        isotropic: Isotropic {
+            declared: material.is_isotropic(),
+            measured: isotropy::measured(&*bxdf),
+        },
+    }
+}
+
+fn row(model: &ModelSpec, bxdf: &dyn Bxdf<f64>, theta: f64, phi: f64) -> Row {
+    let found = directional_hemispherical(bxdf, direction_from_degrees(theta, phi), TOLERANCE);
+    Row {
+        theta,
+        reflection: found.reflection,
+        transmission: found.transmission,
+        absorbed: found.absorbed(),
+        error: found.error,
+        shares: shares(model, &found),
+    }
+}
+
+/// The share of each lobe that has its side to itself: what leaves on that side is all its own.
+fn shares(model: &ModelSpec, found: &Reflectance) -> Shares {
+    let mut shares = Shares::new();
+    for lobe in model.lobes {
+        let is_alone = model.lobes.iter().filter(|l| l.side == lobe.side).count() == 1;
+        if is_alone {
+            let share = match lobe.side {
+                Side::Reflection => found.reflection,
+                Side::Transmission => found.transmission,
+            };
+            let sides = shares.entry(lobe.category.id()).or_default();
+            sides.insert(lobe.side.id(), share);
+        }
+    }
+    shares
+}
+
+/// The report for people.
+fn listing(report: &Report) -> String {
+    let mut text = format!(
+        "{}, light arriving at azimuth {} degrees\n",
+        report.material, report.phi
+    );
+    text.push_str("Shares of the flux, red green blue\n\n");
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "{:>7}   {:26}   {:26}   {:26}   error",
+        "theta", "reflection", "transmission", "absorbed"
+    );
+    for row in &report.rows {
+        let [reflection, transmission, absorbed] =
+            [row.reflection, row.transmission, row.absorbed].map(channels);
+        let _ = writeln!(
+            text,
+            "{:>7}   {reflection:26}   {transmission:26}   {absorbed:26}   {:.0e}",
+            row.theta, row.error
+        );
+    }
+    let word = |is_isotropic| {
+        if is_isotropic {
+            "isotropic"
+        } else {
+            "anisotropic"
+        }
+    };
+    let _ = writeln!(
+        text,
+        "\n{} by declaration, {} as measured",
+        word(report.isotropic.declared),
+        word(report.isotropic.measured)
+    );
+    text
+}
+
+/// Three channels to six decimals; rounding noise about 0 is shown as 0.
+fn channels(rgb: [f64; 3]) -> String {
+    let number = |x: f64| {
+        let text = format!("{x:.6}");
+        match text.strip_prefix('-') {
+            Some(digits) if digits.bytes().all(|b| matches!(b, b'0' | b'.')) => digits.to_owned(),
+            _ => text,
+        }
+    };
+    rgb.map(number).join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bxdf::{Category, Lobe};
+
+    #[test]
+    fn only_a_lobe_alone_on_its_side_has_a_share() {
+        static MIXED: [Lobe; 3] = [
+            Lobe::reflection(Category::Diffuse),
+            Lobe::reflection(Category::GlossySpecular),
+            Lobe::transmission(Category::GlossySpecular),
+        ];
+        let material: Material = "lambertian_reflection".parse().unwrap();
+        let model = ModelSpec {
+            lobes: &MIXED,
+            ..*material.model()
+        };
+        let found = Reflectance {
+            reflection: [0.5; 3],
+            transmission: [0.25; 3],
+            error: 0.0,
+        };
+        let shares = shares(&model, &found);
+        assert_eq!(shares.len(), 1);
+        assert_eq!(shares["glossy_specular"].len(), 1);
+        assert_eq!(shares["glossy_specular"]["transmission"], [0.25; 3]);
+    }
+
+    #[test]
+    fn rounding_noise_prints_as_zero() {
+        assert_eq!(channels([-1e-17, 0.0, -0.5]), "0.000000 0.000000 -0.500000");
+    }
+}

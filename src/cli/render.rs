@@ -1,0 +1,339 @@
+//! `render`: the window as a picture. The one file of the command line that knows the window.
+
+use std::path::{Path, PathBuf};
+
+use super::args::{self, Angles};
+use crate::analysis::Hold;
+use crate::bxdf::Material;
+use crate::error::{Error, Result};
+
+/// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
+const MAX_PIXELS: u32 = 8192;
+
+/// The pixels per point that are accepted: text is illegible below, and no screen is finer.
+const SCALE_RANGE: std::ops::RangeInclusive<f64> = 0.25..=8.0;
+
+/// The only kind of picture written.
+const EXTENSION: &str = "png";
+
+/// The arguments of `render`.
+#[derive(clap::Args, Debug)]
+pub struct Arguments {
+    /// The session to start from
+    #[arg(long, value_name = "FILE")]
+    session: Option<PathBuf>,
+    /// A material to show: id or id:name=value,name=value; may be repeated
+    #[arg(long = "material", value_name = "MATERIAL")]
+    materials: Vec<Material>,
+    /// The direction held while the lobe is drawn over the other: wi or wo
+    #[arg(long, value_parser = hold)]
+    hold: Option<Hold>,
+    /// The direction held, in degrees, theta from the normal
+    #[arg(long, value_name = "THETA,PHI", value_parser = args::angles, allow_hyphen_values = true)]
+    direction: Option<Angles>,
+    /// The view to show alone
+    #[arg(long, value_name = "ID")]
+    view: Option<String>,
+    /// The size of the window in points
+    #[arg(
+        long,
+        value_name = "WxH",
+        value_parser = size,
+        default_value = "1280x800",
+        allow_hyphen_values = true
+    )]
+    size: [u32; 2],
+    /// Pixels per point
+    #[arg(long, value_parser = scale, default_value = "1", allow_hyphen_values = true)]
+    scale: f64,
+    /// The theme: dark or light
+    #[arg(long, value_parser = theme)]
+    theme: Option<Theme>,
+    /// The picture to write
+    #[arg(short, value_name = "FILE.png", value_parser = picture)]
+    output: PathBuf,
+}
+
+/// Light on dark, or dark on light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Theme {
+    /// Light text on a dark ground.
+    Dark,
+    /// Dark text on a light ground.
+    Light,
+}
+
+/// What `render` is asked for, validated. `None` leaves the choice to the session.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RenderArgs {
+    /// The session to start from, a file.
+    pub session: Option<PathBuf>,
+    /// The materials to show in place of the session's; none keeps those.
+    pub materials: Vec<Material>,
+    /// Which direction is held.
+    pub hold: Option<Hold>,
+    /// The direction held: theta (0 to 180) and phi in degrees.
+    pub direction_deg: Option<[f64; 2]>,
+    /// The id of the view to show alone, not yet looked up.
+    pub view: Option<String>,
+    /// Width and height in points, above 0.
+    pub size: [u32; 2],
+    /// Pixels per point, above 0.
+    pub scale: f64,
+    /// The theme.
+    pub theme: Option<Theme>,
+    /// The picture to write, a `.png` file.
+    pub output: PathBuf,
+}
+
+impl RenderArgs {
+    /// Width and height of the picture in pixels: size times scale, rounded.
+    #[must_use]
+    pub fn pixels(&self) -> [u32; 2] {
+        self.size
+            .map(|points| (f64::from(points) * self.scale).round() as u32)
+    }
+}
+
+impl Arguments {
+    /// The request, with the limits that concern several arguments checked.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] where the picture would be empty or larger than 8192 pixels to a side.
+    pub fn request(&self) -> Result<RenderArgs> {
+        let request = RenderArgs {
+            session: self.session.clone(),
+            materials: self.materials.clone(),
+            hold: self.hold,
+            direction_deg: self
+                .direction
+                .map(|angles| [angles.theta_deg, angles.phi_deg]),
+            view: self.view.clone(),
+            size: self.size,
+            scale: self.scale,
+            theme: self.theme,
+            output: self.output.clone(),
+        };
+        let [width, height] = request.pixels();
+        if [width, height]
+            .iter()
+            .any(|side| !(1..=MAX_PIXELS).contains(side))
+        {
+            return Err(Error::Limit {
+                what: "the picture",
+                value: format!("{width}x{height} pixels"),
+                limit: format!("1 to {MAX_PIXELS} to a side"),
+            });
+        }
+        Ok(request)
+    }
+}
+
+/// Renders the picture.
+///
+/// # Errors
+/// Where the session cannot be read, the view is unknown, no adapter is found, or the picture cannot be written.
+#[cfg(feature = "gui")]
+pub(super) fn run(request: &RenderArgs) -> Result<()> {
+    use crate::ui::{headless::Picture, views};
+
+    let only = request.view.as_deref().map(views::find).transpose()?;
+    let picture = Picture {
+        session: session(request)?,
+        only,
+        size: request.size,
+        scale: request.scale as f32,
+        theme: match request.theme {
+            Some(Theme::Light) => egui::Theme::Light,
+            Some(Theme::Dark) | None => egui::Theme::Dark,
+        },
+    };
+    picture.save(&request.output)
+}
+
+/// The session to draw: the file's or the start, changed by what else was asked for.
+#[cfg(feature = "gui")]
+fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
+    use crate::ui::session::Session;
+
+    let mut session = match &request.session {
+        None => Session::default(),
+        Some(path) => {
+            let text = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
+            Session::from_toml(&text, &path.display().to_string())?
+        }
+    };
+    match request.materials.as_slice() {
+        [] => {}
+        [material] => session.material = material.clone(),
+        several => {
+            return Err(Error::Limit {
+                what: "the number of materials in one picture",
+                value: several.len().to_string(),
+                limit: "1".to_owned(),
+            });
+        }
+    }
+    if let Some(hold) = request.hold {
+        session.hold = hold;
+    }
+    if let Some([theta_deg, phi_deg]) = request.direction_deg {
+        session.theta_deg = theta_deg;
+        session.phi_deg = phi_deg;
+    }
+    Ok(session)
+}
+
+fn hold(text: &str) -> Result<Hold> {
+    args::choice(
+        "direction to hold",
+        text,
+        &[("wi", Hold::Light), ("wo", Hold::Viewer)],
+    )
+}
+
+fn theme(text: &str) -> Result<Theme> {
+    args::choice(
+        "theme",
+        text,
+        &[("dark", Theme::Dark), ("light", Theme::Light)],
+    )
+}
+
+fn size(text: &str) -> Result<[u32; 2]> {
+    let problem = || {
+        Error::parse(
+            format!("size '{text}'"),
+            format!("expected WxH in points, each 1 to {MAX_PIXELS}"),
+        )
+    };
+    let side = |text: &str| {
+        text.parse()
+            .ok()
+            .filter(|side| (1..=MAX_PIXELS).contains(side))
+            .ok_or_else(problem)
+    };
+    let (width, height) = text.split_once('x').ok_or_else(problem)?;
+    Ok([side(width)?, side(height)?])
+}
+
+fn scale(text: &str) -> Result<f64> {
+    args::finite(text)
+        .filter(|scale| SCALE_RANGE.contains(scale))
+        .ok_or_else(|| {
+            let (min, max) = (SCALE_RANGE.start(), SCALE_RANGE.end());
+            Error::parse(
+                format!("scale '{text}'"),
+                format!("expected {min} to {max} pixels per point"),
+            )
+        })
+}
+
+fn picture(text: &str) -> Result<PathBuf> {
+    let path = Path::new(text);
+    let is_png = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION));
+    if is_png {
+        Ok(path.to_owned())
+    } else {
+        Err(Error::parse(
+            format!("picture '{text}'"),
+            "expected a name that ends in .png",
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser, Debug)]
+    struct Line {
+        #[command(flatten)]
+        arguments: Arguments,
+    }
+
+    fn parse(line: &str) -> std::result::Result<RenderArgs, String> {
+        let words = std::iter::once("render").chain(line.split_whitespace());
+        let line = Line::try_parse_from(words).map_err(|error| error.to_string())?;
+        line.arguments.request().map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn everything_has_a_default_but_the_picture() {
+        let request = parse("-o start.PNG").unwrap();
+        let expected = RenderArgs {
+            session: None,
+            materials: Vec::new(),
+            hold: None,
+            direction_deg: None,
+            view: None,
+            size: [1280, 800],
+            scale: 1.0,
+            theme: None,
+            output: "start.PNG".into(),
+        };
+        assert_eq!(request, expected);
+        assert!(parse("").unwrap_err().contains("-o"));
+    }
+
+    #[test]
+    fn every_argument_is_read() {
+        let request = parse(
+            "--session s.toml --material oren_nayar:sigma=30 --material rough_conductor --hold wo \
+             --direction 60,-30 --view polar --size 1024x640 --scale 1.5 --theme light -o out/a.png",
+        )
+        .unwrap();
+        assert_eq!(request.session, Some("s.toml".into()));
+        let materials: Vec<String> = request.materials.iter().map(Material::to_string).collect();
+        assert_eq!(materials, ["oren_nayar:sigma=30", "rough_conductor"]);
+        assert_eq!(request.hold, Some(Hold::Viewer));
+        assert_eq!(request.direction_deg, Some([60.0, -30.0]));
+        assert_eq!(request.view.as_deref(), Some("polar"));
+        assert_eq!(request.pixels(), [1536, 960]);
+        assert_eq!(request.theme, Some(Theme::Light));
+        assert_eq!(request.output, PathBuf::from("out/a.png"));
+    }
+
+    #[test]
+    fn bad_arguments_are_refused() {
+        for (line, expected) in [
+            (
+                "--size 0",
+                "size '0': expected WxH in points, each 1 to 8192",
+            ),
+            ("--size 0x10", "expected WxH in points"),
+            ("--size 10x", "expected WxH in points"),
+            ("--size 9000x10", "expected WxH in points"),
+            ("--size -5x10", "expected WxH in points"),
+            (
+                "--size 8000x10 --scale 2",
+                "the picture is 16000x20 pixels; the limit is 1 to 8192 to a side",
+            ),
+            ("--size 1x1 --scale .25", "the picture is 0x0 pixels"),
+            (
+                "--scale 0",
+                "scale '0': expected 0.25 to 8 pixels per point",
+            ),
+            ("--scale nan", "expected 0.25 to 8"),
+            ("--scale -1", "expected 0.25 to 8"),
+            ("--theme dusk", "unknown theme 'dusk'; nearest: dark, light"),
+            (
+                "--hold wm",
+                "unknown direction to hold 'wm'; nearest: wi, wo",
+            ),
+            (
+                "--direction 200,0",
+                "theta '200': expected 0 to 180 degrees",
+            ),
+            ("--material plaster", "unknown model 'plaster'"),
+        ] {
+            let message = parse(&format!("{line} -o a.png")).unwrap_err();
+            assert!(message.contains(expected), "{line}: {message}");
+        }
+        assert!(parse("-o a.jpg").unwrap_err().contains("ends in .png"));
+    }
+}

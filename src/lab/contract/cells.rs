@@ -1,0 +1,424 @@
+//! A partition of the sphere that follows a lobe: cells of about equal probability, and integrals over each.
+//!
+//! A narrow lobe is a smooth bump in the slopes of its half vector, wherever it points; a solid-angle grid would miss it.
+//! Each hemisphere therefore has a chart in which the lobe is smooth, cut at the medians of pilot samples.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::num::NonZeroUsize;
+
+use gauss_quad::legendre::GaussLegendre;
+use glam::DVec3;
+
+use super::subject::Subject;
+use crate::bxdf::math::frame;
+use crate::bxdf::{Category, Side};
+
+/// A cell is cut while each half keeps at least this many pilot samples.
+const PILOTS_PER_CELL: usize = 32;
+
+/// Gauss-Legendre nodes along each axis of a cell.
+const NODES: usize = 6;
+
+/// Quarterings of a cell at most: 2^-10 of its width, far below any feature that is left after the cuts.
+const MAX_DEPTH: u32 = 10;
+
+/// The number of integrands: `pdf`, and f |cos| of three channels both ways.
+pub(super) const CHANNELS: usize = 7;
+
+/// The integrals of all channels over a cell.
+pub(super) type Channels = [f64; CHANNELS];
+
+/// Coordinates in which the directions of one hemisphere are cut and integrated.
+struct Chart {
+    shape: Shape,
+    /// The given direction, mirrored to above the surface.
+    wo: DVec3,
+    /// The sign of z in the hemisphere.
+    sign: f64,
+}
+
+enum Shape {
+    /// x = theta from the hemisphere's pole, y = azimuth.
+    Polar,
+    /// x, y = asinh(slope / scale) of the half vector of `wo` and wi, or of wi mirrored about the normal.
+    Half { scale: [f64; 2], is_back: bool },
+}
+
+impl Chart {
+    fn coordinates(&self, wi: DVec3) -> [f64; 2] {
+        let wi = DVec3::new(wi.x, wi.y, wi.z * self.sign);
+        match self.shape {
+            Shape::Polar => [frame::theta(wi), frame::phi(wi)],
+            Shape::Half {
+                scale: [sx, sy],
+                is_back,
+            } => {
+                let [x, y] = slopes(self.wo, wi, is_back);
+                [(x / sx).asinh(), (y / sy).asinh()]
+            }
+        }
+    }
+
+    /// The direction at these coordinates, and the solid angle per unit of their area.
+    fn direction(&self, [x, y]: [f64; 2]) -> (DVec3, f64) {
+        let (wi, density) = match self.shape {
+            Shape::Polar => {
+                let ((sin, cos), (sin_phi, cos_phi)) = (x.sin_cos(), y.sin_cos());
+                (DVec3::new(sin * cos_phi, sin * sin_phi, cos), sin)
+            }
+            Shape::Half {
+                scale: [sx, sy],
+                is_back,
+            } => {
+                let (slope_x, slope_y) = (sx * x.sinh(), sy * y.sinh());
+                let hz = 1.0 / (1.0 + slope_x * slope_x + slope_y * slope_y).sqrt();
+                let wh = DVec3::new(slope_x * hz, slope_y * hz, hz);
+                let cos_d = self.wo.dot(wh);
+                let mut wi = wh * (2.0 * cos_d) - self.wo;
+                if is_back {
+                    wi = DVec3::new(-wi.x, -wi.y, wi.z);
+                }
+                // dwi = 4 cos_d dwh, dwh = hz^3 per unit of slope area.
+                let stretch = sx * x.cosh() * sy * y.cosh();
+                (wi, 4.0 * cos_d * hz * hz * hz * stretch)
+            }
+        };
+        (DVec3::new(wi.x, wi.y, wi.z * self.sign), density)
+    }
+
+    /// The range of y.
+    fn y_range(&self) -> [f64; 2] {
+        match self.shape {
+            Shape::Polar => [-PI, PI],
+            Shape::Half {
+                scale: [_, scale], ..
+            } => {
+                let (centre, radius) = (self.wo.y / self.wo.z, 1.0 / self.wo.z);
+                [centre - radius, centre + radius].map(|y| (y / scale).asinh())
+            }
+        }
+    }
+
+    /// The range of x at `y`. In slopes the hemisphere is the disc of radius 1/cos about tan(theta) of `wo`: the half
+    /// vectors' slopes are a stereographic projection of wi.
+    fn x_range(&self, y: f64) -> [f64; 2] {
+        match self.shape {
+            Shape::Polar => [0.0, FRAC_PI_2],
+            Shape::Half {
+                scale: [sx, sy], ..
+            } => {
+                let radius = 1.0 / self.wo.z;
+                let dy = sy * y.sinh() - self.wo.y * radius;
+                let reach = ((radius - dy) * (radius + dy)).max(0.0).sqrt();
+                let centre = self.wo.x * radius;
+                [centre - reach, centre + reach].map(|x| (x / sx).asinh())
+            }
+        }
+    }
+}
+
+/// The slopes of the half vector of `wo` and `wi`, both above the surface.
+fn slopes(wo: DVec3, wi: DVec3, is_back: bool) -> [f64; 2] {
+    let sum = if is_back {
+        wo + DVec3::new(-wi.x, -wi.y, wi.z)
+    } else {
+        wo + wi
+    };
+    [sum.x / sum.z, sum.y / sum.z]
+}
+
+#[derive(Clone, Copy)]
+struct Rectangle {
+    x: [f64; 2],
+    y: [f64; 2],
+}
+
+impl Rectangle {
+    fn quarters(self) -> [Self; 4] {
+        let ([x0, x1], [y0, y1]) = (self.x, self.y);
+        let (x, y) = (f64::midpoint(x0, x1), f64::midpoint(y0, y1));
+        [
+            Self {
+                x: [x0, x],
+                y: [y0, y],
+            },
+            Self {
+                x: [x, x1],
+                y: [y0, y],
+            },
+            Self {
+                x: [x0, x],
+                y: [y, y1],
+            },
+            Self {
+                x: [x, x1],
+                y: [y, y1],
+            },
+        ]
+    }
+}
+
+/// How a hemisphere is cut into cells.
+enum Node {
+    /// A cell, by its number.
+    Cell(usize),
+    /// Two parts, divided where x (or y) is `at`.
+    Cut {
+        is_x: bool,
+        at: f64,
+        low: Box<Self>,
+        high: Box<Self>,
+    },
+}
+
+struct Hemisphere {
+    chart: Chart,
+    root: Node,
+    cells: Vec<Rectangle>,
+    /// The number of the first cell.
+    first: usize,
+}
+
+/// The sphere cut into cells, upper hemisphere first.
+pub(super) struct Partition {
+    hemispheres: [Hemisphere; 2],
+    rule: Vec<(f64, f64)>,
+}
+
+/// The integrals over a cell and the estimated error of the worst.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CellIntegral {
+    pub(super) value: Channels,
+    pub(super) error: f64,
+}
+
+impl CellIntegral {
+    const EMPTY: Self = Self {
+        value: [0.0; CHANNELS],
+        error: 0.0,
+    };
+
+    /// The integrals over all these cells, and the sum of their errors.
+    pub(super) fn sum(parts: &[Self]) -> Self {
+        parts.iter().fold(Self::EMPTY, |sum, part| sum.plus(*part))
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            value: add(self.value, other.value),
+            error: self.error + other.error,
+        }
+    }
+}
+
+impl Partition {
+    /// The partition that follows the samples `pilots` of `subject` at `wo`.
+    pub(super) fn new(subject: &Subject, wo: DVec3, pilots: &[DVec3]) -> Self {
+        let mut first = 0;
+        let hemispheres = [1.0, -1.0].map(|sign| {
+            let inside: Vec<DVec3> = pilots.iter().copied().filter(|w| w.z * sign > 0.0).collect();
+            let hemisphere = Hemisphere::new(subject, wo, sign, &inside, first);
+            first += hemisphere.cells.len();
+            hemisphere
+        });
+        let degree = NonZeroUsize::new(NODES).unwrap_or(NonZeroUsize::MIN);
+        let rule = GaussLegendre::new(degree)
+            .as_node_weight_pairs()
+            .iter()
+            .map(|pair| (pair.0, pair.1))
+            .collect();
+        Self { hemispheres, rule }
+    }
+
+    /// The number of the cell that contains `wi`.
+    pub(super) fn cell_of(&self, wi: DVec3) -> usize {
+        let [upper, lower] = &self.hemispheres;
+        let hemisphere = if wi.z > 0.0 { upper } else { lower };
+        let [x, y] = hemisphere.chart.coordinates(wi);
+        let mut node = &hemisphere.root;
+        loop {
+            match node {
+                Node::Cell(index) => return hemisphere.first + index,
+                Node::Cut {
+                    is_x,
+                    at,
+                    low,
+                    high,
+                } => {
+                    let coordinate = if *is_x { x } else { y };
+                    node = if coordinate < *at { low } else { high };
+                }
+            }
+        }
+    }
+
+    /// The integrals of `f` over solid angle in every cell, each refined until its error is estimated at `tolerance`.
+    pub(super) fn integrate(
+        &self,
+        f: impl Fn(DVec3) -> Channels,
+        tolerance: f64,
+    ) -> Vec<CellIntegral> {
+        let mut integrals = Vec::new();
+        for hemisphere in &self.hemispheres {
+            let integrand = |at: [f64; 2]| {
+                let (wi, density) = hemisphere.chart.direction(at);
+                f(wi).map(|x| x * density)
+            };
+            for &cell in &hemisphere.cells {
+                let coarse = self.product_rule(&hemisphere.chart, cell, &integrand);
+                integrals.push(self.refined(
+                    &hemisphere.chart,
+                    cell,
+                    coarse,
+                    &integrand,
+                    (tolerance, MAX_DEPTH),
+                ));
+            }
+        }
+        integrals
+    }
+
+    fn refined(
+        &self,
+        chart: &Chart,
+        cell: Rectangle,
+        coarse: Channels,
+        f: &impl Fn([f64; 2]) -> Channels,
+        (tolerance, depth): (f64, u32),
+    ) -> CellIntegral {
+        let quarters = cell
+            .quarters()
+            .map(|quarter| (quarter, self.product_rule(chart, quarter, f)));
+        let fine = quarters
+            .iter()
+            .fold([0.0; CHANNELS], |sum, (_, value)| add(sum, *value));
+        let difference = fine
+            .iter()
+            .zip(coarse)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
+        // A NaN would make the comparison false for ever: it ends the refinement and shows in the sum.
+        let is_settled = difference <= tolerance || fine.iter().any(|x| !x.is_finite());
+        if is_settled || depth == 0 {
+            return CellIntegral {
+                value: fine,
+                error: difference,
+            };
+        }
+        let parts = quarters.map(|(quarter, value)| {
+            self.refined(chart, quarter, value, f, (tolerance, depth - 1))
+        });
+        CellIntegral::sum(&parts)
+    }
+
+    fn product_rule(
+        &self,
+        chart: &Chart,
+        cell: Rectangle,
+        f: &impl Fn([f64; 2]) -> Channels,
+    ) -> Channels {
+        let mut sum = [0.0; CHANNELS];
+        let [y_middle, y_half] = middle_and_half(cell.y);
+        for &(node_y, weight_y) in &self.rule {
+            let y = y_middle + y_half * node_y;
+            let [low, high] = chart.x_range(y);
+            let [x0, x1] = cell.x;
+            let x = [x0.max(low), x1.min(high)];
+            let [x_middle, x_half] = middle_and_half(x);
+            if x_half > 0.0 {
+                for &(node_x, weight_x) in &self.rule {
+                    let weight = weight_x * weight_y * x_half * y_half;
+                    sum = add(
+                        sum,
+                        f([x_middle + x_half * node_x, y]).map(|v| v * weight),
+                    );
+                }
+            }
+        }
+        sum
+    }
+}
+
+impl Hemisphere {
+    fn new(subject: &Subject, wo: DVec3, sign: f64, inside: &[DVec3], first: usize) -> Self {
+        let above = |w: DVec3| DVec3::new(w.x, w.y, w.z.abs());
+        let is_back = subject.has_category(Category::RetroReflective);
+        let is_near = wo.z * sign > 0.0;
+        let is_lobed = subject.has_side(Side::Reflection)
+            && (is_back || subject.has_category(Category::GlossySpecular));
+        let shape = if is_near && is_lobed && !inside.is_empty() {
+            let mut all: Vec<[f64; 2]> = inside
+                .iter()
+                .map(|wi| slopes(above(wo), above(*wi), is_back).map(f64::abs))
+                .collect();
+            let scale = [true, false].map(|is_x| median(&mut all, is_x).max(f64::EPSILON));
+            Shape::Half { scale, is_back }
+        } else {
+            Shape::Polar
+        };
+        let chart = Chart {
+            shape,
+            wo: above(wo),
+            sign,
+        };
+        let y = chart.y_range();
+        // Wide enough for every row; the rows themselves are clipped to the hemisphere.
+        let x = match chart.shape {
+            Shape::Polar => [0.0, FRAC_PI_2],
+            Shape::Half {
+                scale: [scale, _], ..
+            } => [-1.0, 1.0].map(|s: f64| ((chart.wo.x + s) / chart.wo.z / scale).asinh()),
+        };
+        let mut points: Vec<[f64; 2]> = inside.iter().map(|w| chart.coordinates(*w)).collect();
+        let mut cells = Vec::new();
+        let root = cut(&mut points, Rectangle { x, y }, true, &mut cells);
+        Self {
+            chart,
+            root,
+            cells,
+            first,
+        }
+    }
+}
+
+/// Cuts `cell` at the median of `points`, alternating between x and y.
+fn cut(points: &mut [[f64; 2]], cell: Rectangle, is_x: bool, cells: &mut Vec<Rectangle>) -> Node {
+    if points.len() < 2 * PILOTS_PER_CELL {
+        cells.push(cell);
+        return Node::Cell(cells.len() - 1);
+    }
+    let at = median(points, is_x);
+    let ([x0, x1], [y0, y1]) = (cell.x, cell.y);
+    let (low, high) = if is_x {
+        (Rectangle { x: [x0, at], ..cell }, Rectangle { x: [at, x1], ..cell })
+    } else {
+        (Rectangle { y: [y0, at], ..cell }, Rectangle { y: [at, y1], ..cell })
+    };
+    let (points_low, points_high) = points.split_at_mut(points.len() / 2);
+    Node::Cut {
+        is_x,
+        at,
+        low: Box::new(cut(points_low, low, !is_x, cells)),
+        high: Box::new(cut(points_high, high, !is_x, cells)),
+    }
+}
+
+/// The median of the x or y of `points`, which are left in two halves about it. 0 without points.
+fn median(points: &mut [[f64; 2]], is_x: bool) -> f64 {
+    let key = |[x, y]: &[f64; 2]| if is_x { *x } else { *y };
+    if points.is_empty() {
+        return 0.0;
+    }
+    let (_, middle, _) =
+        points.select_nth_unstable_by(points.len() / 2, |a, b| key(a).total_cmp(&key(b)));
+    key(middle)
+}
+
+fn add(mut a: Channels, b: Channels) -> Channels {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+    a
+}
+
+fn middle_and_half([a, b]: [f64; 2]) -> [f64; 2] {
+    [f64::midpoint(a, b), 0.5 * (b - a)]
+}

@@ -1,0 +1,119 @@
+//! Finite and not negative: `f`, `pdf` and samples at every extreme, in every precision.
+
+use super::statistics::Random;
+use super::subject::Subject;
+use super::{LawId, Plan, Tallies};
+use crate::bxdf::Bxdf;
+use crate::bxdf::math::frame::cos_sin_deg;
+use crate::bxdf::math::{Real, Vec3};
+use crate::bxdf::optics::Spectrum;
+
+/// Absolute cosines down to the horizon: 1e-23 squares to a subnormal f32, 1e-38 is one itself; 1e-160 and 1e-308 are
+/// the same in f64 (and 0 in f32).
+const COSINES: [f64; 10] = [1.0, 0.7, 1e-2, 1e-5, 1e-8, 1e-23, 1e-38, 1e-160, 1e-308, 0.0];
+
+/// Azimuths against the given direction's, in degrees: aligned, opposed, and neither.
+const AZIMUTHS_DEG: [f64; 4] = [0.0, 180.0, 90.0, 33.0];
+
+/// Square of the length of a sampled direction, less 1, in units of round-off: two dozen operations.
+const UNIT_LENGTH_ROUNDOFFS: f64 = 24.0;
+
+/// Runs the law in f32, f64 and the reference precision.
+pub(super) fn finite(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
+    finite_in(subject, &*subject.single, plan, tallies);
+    finite_in(subject, &*subject.double, plan, tallies);
+    finite_in(subject, &*subject.reference, plan, tallies);
+}
+
+fn finite_in<R: Real>(
+    subject: &Subject,
+    bxdf: &dyn Bxdf<R>,
+    plan: &Plan,
+    tallies: &mut Tallies,
+) {
+    let given: Vec<Vec3<R>> = COSINES
+        .into_iter()
+        .flat_map(|cos| [direction(cos, 0.0), -direction(cos, 0.0)])
+        .collect();
+    let others: Vec<Vec3<R>> = COSINES
+        .into_iter()
+        .flat_map(|cos| AZIMUTHS_DEG.map(|azimuth| direction(cos, azimuth)))
+        .flat_map(|w| [w, -w])
+        .collect();
+    let mut random = Random::new(71);
+    let random_pairs = (0..plan.effort.pairs())
+        .map(|_| (random.direction().into(), random.direction().into()))
+        .collect::<Vec<(Vec3<R>, Vec3<R>)>>();
+    let pairs = given
+        .iter()
+        .flat_map(|wo| others.iter().map(|wi| (*wo, *wi)))
+        .chain(random_pairs);
+    for (wo, wi) in pairs {
+        let holds = is_good(bxdf.f(wo, wi)) && is_good_number(bxdf.pdf(wo, wi));
+        tallies.require(LawId::Finite, holds, || {
+            format!("{} in {}: wo {wo:?} wi {wi:?}", subject.name, R::NAME)
+        });
+    }
+    for wo in given {
+        samples_are_finite(subject, bxdf, wo, tallies);
+    }
+}
+
+/// The unit direction with this cosine and azimuth, rounded to the precision.
+fn direction<R: Real>(cos: f64, azimuth_deg: f64) -> Vec3<R> {
+    let radius = ((1.0 - cos) * (1.0 + cos)).sqrt();
+    let (cos_phi, sin_phi) = cos_sin_deg(azimuth_deg);
+    Vec3::new(
+        R::of(radius * cos_phi),
+        R::of(radius * sin_phi),
+        R::of(cos),
+    )
+}
+
+fn samples_are_finite<R: Real>(
+    subject: &Subject,
+    bxdf: &dyn Bxdf<R>,
+    wo: Vec3<R>,
+    tallies: &mut Tallies,
+) {
+    let ends = [
+        R::zero(),
+        R::of(0.5),
+        R::one() - R::of(R::UNIT_ROUNDOFF),
+    ];
+    for uc in ends {
+        for u in ends {
+            for v in ends {
+                let Some(sample) = bxdf.sample_f(wo, uc, [u, v]) else {
+                    continue;
+                };
+                let length_error = (sample.wi.length_squared() - R::one()).as_f64().abs();
+                let holds = length_error <= UNIT_LENGTH_ROUNDOFFS * unit_roundoff_of_input::<R>()
+                    && is_good(sample.f)
+                    && is_good(sample.weight())
+                    && is_good_number(sample.pdf)
+                    && sample.pdf > R::zero();
+                tallies.require(LawId::Finite, holds, || {
+                    format!(
+                        "{} in {}: sample of wo {wo:?} at uc {uc:?}, u {u:?} {v:?}: {sample:?}",
+                        subject.name,
+                        R::NAME
+                    )
+                });
+            }
+        }
+    }
+}
+
+/// The given directions are unit vectors to f64 at best; a sample cannot be better than they are.
+fn unit_roundoff_of_input<R: Real>() -> f64 {
+    R::UNIT_ROUNDOFF.max(f64::UNIT_ROUNDOFF)
+}
+
+fn is_good<R: Real>(spectrum: Spectrum<R>) -> bool {
+    spectrum.0.into_iter().all(is_good_number)
+}
+
+fn is_good_number<R: Real>(x: R) -> bool {
+    x.is_finite() && x >= R::zero()
+}

@@ -1,0 +1,52 @@
+//! f32 and f64 against the reference precision, at moderate conditions.
+
+use glam::DVec3;
+use xprec::Df64;
+
+use super::pointwise::pairs;
+use super::statistics::{Quantity, is_subnormal, relative_difference, rounding_bound};
+use super::subject::Subject;
+use super::{LawId, Plan, Tallies};
+use crate::bxdf::Bxdf;
+use crate::bxdf::math::{Real, Vec3};
+
+/// Cosines from which a direction counts as moderate: 80 degrees from n.
+const SMALLEST_COSINE: f64 = 0.17;
+
+/// Both precisions keep the stability law where neither direction grazes.
+pub(super) fn precision(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
+    for (wo, wi) in pairs(subject, plan, 81) {
+        if wo.z.abs() < SMALLEST_COSINE || wi.z.abs() < SMALLEST_COSINE {
+            continue;
+        }
+        let models = (&*subject.single, &*subject.reference_of_single);
+        compare::<f32>(subject, models, (wo, wi), tallies);
+        let models = (&*subject.double, &*subject.reference);
+        compare::<f64>(subject, models, (wo, wi), tallies);
+    }
+}
+
+fn compare<R: Real>(
+    subject: &Subject,
+    (tested, reference): (&dyn Bxdf<R>, &dyn Bxdf<Df64>),
+    (wo, wi): (DVec3, DVec3),
+    tallies: &mut Tallies,
+) {
+    // The directions are rounded first, so that both sides see the same ones.
+    let (wo, wi): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
+    let (wo_rounded, wi_rounded): (DVec3, DVec3) = (wo.into(), wi.into());
+    let exact = (wo_rounded.into(), wi_rounded.into());
+    for quantity in Quantity::ALL {
+        let truth = quantity.of(reference, exact.0, exact.1).as_f64();
+        if is_subnormal::<R>(truth) {
+            continue;
+        }
+        let deviation = relative_difference(quantity.of(tested, wo, wi).as_f64(), truth);
+        let at = (wo_rounded, wi_rounded);
+        let error = rounding_bound(subject, at, quantity, deviation, R::UNIT_ROUNDOFF);
+        tallies.record(LawId::Precision, deviation, error, || {
+            let at = subject.witness(&[("wo", wo_rounded), ("wi", wi_rounded)]);
+            format!("{at} in {}, {quantity:?}", R::NAME)
+        });
+    }
+}

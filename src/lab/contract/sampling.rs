@@ -1,0 +1,260 @@
+//! The laws that samples keep: what they are, how they are distributed, and what they average to.
+
+use glam::DVec3;
+
+use super::cells::{CellIntegral, Partition};
+use super::statistics::{Random, chi_square, relative_difference, sidak};
+use super::subject::Subject;
+use super::sweep::directions;
+use super::{LawId, Plan, Tallies, energy};
+use crate::bxdf::math::Vec3;
+use crate::bxdf::{Deltas, Sample};
+
+/// Samples that cut the sphere into cells: 64 cells of 32.
+const PILOTS: u32 = 2048;
+
+/// Absolute error wanted in each cell of [`Partition::integrate`]: 64 cells stay below 1e-4, a tenth of what the
+/// rates are known to.
+const CELL_TOLERANCE: f64 = 1e-6;
+
+/// Standard errors within which a mean must lie.
+const STANDARD_ERRORS: f64 = 4.0;
+
+/// A share of the samples rarer than this over their number goes unseen with a probability of e^-6 = .25 %, and then
+/// the standard error does not know of it either.
+const UNSEEN: f64 = 6.0;
+
+/// A density that two evaluations of the same formula at the same direction give may differ by rounding only; 1e-9
+/// leaves room for the condition number of the narrowest lobe, 1e4 per component, and a sample rounded once.
+const SAME: f64 = 1e-9;
+
+/// Square of the length of a unit vector, less 1, that rounding explains: a dozen operations of 1.1e-16.
+const UNIT_LENGTH: f64 = 4e-15;
+
+/// The laws of the samples at every given direction, and energy, whose integrals come with theirs.
+pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
+    for (index, wo) in directions().into_iter().enumerate() {
+        let mut random = Random::new(index as u64);
+        let pilots = pilot_samples(subject, wo, &mut random, tallies);
+        let partition = Partition::new(subject, wo, &pilots);
+        let w: Vec3<f64> = wo.into();
+        let integrals = partition.integrate(
+            |other| {
+                let other = other.into();
+                let [r, g, b] = subject.double.f(w, other).0;
+                let [r_back, g_back, b_back] = subject.double.f(other, w).0;
+                let cos = other.z.abs();
+                let pdf = subject.double.pdf(w, other);
+                [
+                    pdf,
+                    r * cos,
+                    g * cos,
+                    b * cos,
+                    r_back * cos,
+                    g_back * cos,
+                    b_back * cos,
+                ]
+            },
+            CELL_TOLERANCE,
+        );
+        goodness_of_fit(subject, wo, plan, &partition, &integrals, &mut random, tallies);
+        let total = CellIntegral::sum(&integrals);
+        means(subject, wo, plan, &total, &mut random, tallies);
+        let [_, _, _, _, back @ ..] = total.value;
+        energy::energy(subject, wo, (back, total.error), tallies);
+    }
+}
+
+fn draw(subject: &Subject, wo: DVec3, random: &mut Random) -> Option<Sample<f64>> {
+    let (uc, u) = (random.unit(), random.pair());
+    subject.double.sample_f(wo.into(), uc, u)
+}
+
+/// Draws samples, checks each by itself, and returns the directions of those that are no deltas.
+fn pilot_samples(
+    subject: &Subject,
+    wo: DVec3,
+    random: &mut Random,
+    tallies: &mut Tallies,
+) -> Vec<DVec3> {
+    let deltas = subject.double.deltas(wo.into());
+    let mut directions = Vec::new();
+    for _ in 0..PILOTS {
+        let Some(sample) = draw(subject, wo, random) else {
+            continue;
+        };
+        check_sample(subject, wo, &sample, &deltas, tallies);
+        if !sample.is_delta {
+            directions.push(sample.wi.into());
+        }
+    }
+    directions
+}
+
+fn check_sample(
+    subject: &Subject,
+    wo: DVec3,
+    sample: &Sample<f64>,
+    deltas: &Deltas<f64>,
+    tallies: &mut Tallies,
+) {
+    let wi: DVec3 = sample.wi.into();
+    let witness = || subject.witness(&[("wo", wo), ("sampled wi", wi)]);
+    let length_error = (sample.wi.length_squared() - 1.0).abs();
+    tallies.record(LawId::Weight, length_error, UNIT_LENGTH, witness);
+    tallies.require(LawId::Support, sample.pdf > 0.0 && wi.z != 0.0, witness);
+    let (f, pdf) = if sample.is_delta {
+        let Some(delta) = deltas
+            .iter()
+            .flatten()
+            .find(|delta| delta.direction == sample.wi)
+        else {
+            tallies.require(LawId::Support, false, witness);
+            return;
+        };
+        (delta.sample().f, delta.probability)
+    } else {
+        let wo = wo.into();
+        (
+            subject.double.f(wo, sample.wi),
+            subject.double.pdf(wo, sample.wi),
+        )
+    };
+    let pdf_error = relative_difference(sample.pdf, pdf);
+    tallies.record(LawId::Weight, pdf_error, SAME, witness);
+    for ((sampled, value), weight) in sample.f.0.into_iter().zip(f.0).zip(sample.weight().0) {
+        tallies.record(LawId::Weight, relative_difference(sampled, value), SAME, witness);
+        // weight * pdf = f |cos|, with the model's own pdf and f.
+        let weighted = relative_difference(weight * pdf, value * wi.z.abs());
+        tallies.record(LawId::Weight, weighted, SAME, witness);
+    }
+}
+
+/// Chi-square test of the samples against the integrals of `pdf`, with one bin per cell, per delta, and for no sample.
+fn goodness_of_fit(
+    subject: &Subject,
+    wo: DVec3,
+    plan: &Plan,
+    partition: &Partition,
+    integrals: &[CellIntegral],
+    random: &mut Random,
+    tallies: &mut Tallies,
+) {
+    let n = plan.effort.samples();
+    let deltas: Vec<(Vec3<f64>, f64)> = subject
+        .double
+        .deltas(wo.into())
+        .into_iter()
+        .flatten()
+        .map(|delta| (delta.direction, delta.probability))
+        .collect();
+    let expected = integrals
+        .iter()
+        .map(|integral| pdf_of(integral))
+        .chain(deltas.iter().map(|(_, probability)| *probability));
+    let mut bins: Vec<(f64, f64)> = expected.map(|share| (0.0, share * f64::from(n))).collect();
+    let sum: f64 = bins.iter().map(|(_, expected)| expected).sum();
+    let mut lost = (0.0, (f64::from(n) - sum).max(0.0));
+    for _ in 0..n {
+        let bin = draw(subject, wo, random).and_then(|sample| {
+            let index = if sample.is_delta {
+                integrals.len() + deltas.iter().position(|(w, _)| *w == sample.wi)?
+            } else {
+                partition.cell_of(sample.wi.into())
+            };
+            bins.get_mut(index)
+        });
+        bin.unwrap_or(&mut lost).0 += 1.0;
+    }
+    bins.push(lost);
+    if let Some(p) = chi_square(&bins) {
+        // A p-value of 0 has no logarithm; beyond 300 digits nothing is told apart.
+        let digits = |p: f64| -p.max(1e-300).log10();
+        let witness = || subject.witness(&[("wo", wo)]);
+        tallies.record(LawId::Sampling, digits(p), digits(sidak(plan.tests)), witness);
+    }
+}
+
+/// The integral of `pdf` over a cell: its first channel.
+fn pdf_of(integral: &CellIntegral) -> f64 {
+    let [pdf, ..] = integral.value;
+    pdf
+}
+
+/// Compares the rate of samples and their mean weight with the integrals.
+fn means(
+    subject: &Subject,
+    wo: DVec3,
+    plan: &Plan,
+    total: &CellIntegral,
+    random: &mut Random,
+    tallies: &mut Tallies,
+) {
+    let found = Stratified::new(subject, wo, plan.effort.strata(), random);
+    let [pdf, r, g, b, ..] = total.value;
+    let mut expected = [pdf, r, g, b];
+    for delta in subject.double.deltas(wo.into()).into_iter().flatten() {
+        let [r, g, b] = delta.weight.0;
+        expected.iter_mut().zip([0.0, r, g, b]).for_each(|(sum, x)| *sum += x);
+    }
+    let channels = found.mean.into_iter().zip(found.variance).zip(found.largest).zip(expected);
+    for (channel, (((mean, variance), largest), expected)) in channels.enumerate() {
+        let law = if channel == 0 { LawId::PdfIntegral } else { LawId::MeanWeight };
+        // Rounding of a mean of n numbers and of the weights themselves, where nothing else is left.
+        let rounding = 1e-9 * expected.abs();
+        let error = STANDARD_ERRORS * variance.sqrt()
+            + UNSEEN / found.n * largest
+            + total.error
+            + rounding;
+        let witness = || {
+            format!("{}: mean {mean}, integral {expected}", subject.witness(&[("wo", wo)]))
+        };
+        tallies.record(law, (mean - expected).abs(), error, witness);
+    }
+}
+
+/// Means over a stratified set of samples: of "is a sample and no delta", and of the weight's three channels.
+struct Stratified {
+    mean: [f64; 4],
+    /// The variance of the mean, from the differences of the two samples of each stratum.
+    variance: [f64; 4],
+    largest: [f64; 4],
+    n: f64,
+}
+
+impl Stratified {
+    fn new(subject: &Subject, wo: DVec3, strata: u32, random: &mut Random) -> Self {
+        let mut sums = Self {
+            mean: [0.0; 4],
+            variance: [0.0; 4],
+            largest: [0.0; 4],
+            n: 2.0 * f64::from(strata) * f64::from(strata),
+        };
+        for i in 0..strata {
+            for j in 0..strata {
+                let mut value = || {
+                    let uc = random.unit();
+                    let [u, v] = random.pair();
+                    let u = [f64::from(i) + u, f64::from(j) + v].map(|x| x / f64::from(strata));
+                    let sample = subject.double.sample_f(wo.into(), uc, u);
+                    sample.map_or([0.0; 4], |sample| {
+                        let [r, g, b] = sample.weight().0;
+                        [f64::from(u8::from(!sample.is_delta)), r, g, b]
+                    })
+                };
+                sums.add(value(), value());
+            }
+        }
+        sums
+    }
+
+    fn add(&mut self, a: [f64; 4], b: [f64; 4]) {
+        let n = self.n;
+        let slots = self.mean.iter_mut().zip(&mut self.variance).zip(&mut self.largest);
+        for (((mean, variance), largest), (a, b)) in slots.zip(a.into_iter().zip(b)) {
+            *mean += (a + b) / n;
+            *variance += (a - b) * (a - b) / (n * n);
+            *largest = largest.max(a).max(b);
+        }
+    }
+}

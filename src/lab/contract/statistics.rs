@@ -1,0 +1,204 @@
+//! Random numbers, goodness of fit and condition numbers.
+
+use glam::DVec3;
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng as _, SeedableRng as _};
+use statrs::distribution::{ChiSquared, ContinuousCDF as _};
+use xprec::Df64;
+
+use super::subject::Subject;
+use crate::bxdf::Bxdf;
+use crate::bxdf::math::{Real, Vec3};
+
+/// Chance of a false alarm in a whole run over one model.
+const SIGNIFICANCE: f64 = 1e-3;
+
+/// Expected counts below this are pooled: the chi-square distribution is an approximation for large counts.
+const SMALLEST_EXPECTATION: f64 = 8.0;
+
+/// A generator of its own for each purpose, the same in every run.
+pub(super) struct Random(Pcg64Mcg);
+
+impl Random {
+    /// The generator number `seed`.
+    pub(super) fn new(seed: u64) -> Self {
+        Self(Pcg64Mcg::seed_from_u64(seed))
+    }
+
+    /// Uniform in [0, 1), 53 bits.
+    pub(super) fn unit(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
+    }
+
+    /// Two of [`Self::unit`].
+    pub(super) fn pair(&mut self) -> [f64; 2] {
+        [self.unit(), self.unit()]
+    }
+
+    /// A direction uniform over the sphere.
+    pub(super) fn direction(&mut self) -> DVec3 {
+        let [u, v] = self.pair();
+        let z = 1.0 - 2.0 * u;
+        let (sin, cos) = (std::f64::consts::TAU * v).sin_cos();
+        let radius = ((1.0 - z) * (1.0 + z)).sqrt();
+        DVec3::new(radius * cos, radius * sin, z)
+    }
+}
+
+/// The largest p-value that counts as a failure among `tests` independent ones (Sidak 1967): with it, the chance that
+/// any of them fails by chance is [`SIGNIFICANCE`].
+pub(super) fn sidak(tests: usize) -> f64 {
+    // 1 - (1 - a)^(1/n), without cancellation.
+    -((-SIGNIFICANCE).ln_1p() / tests.max(1) as f64).exp_m1()
+}
+
+/// The p-value of Pearson's chi-square test of `(observed, expected)` counts whose sums agree.
+///
+/// Bins expected to hold fewer than [`SMALLEST_EXPECTATION`] are pooled. `None` where one bin or none is left.
+pub(super) fn chi_square(bins: &[(f64, f64)]) -> Option<f64> {
+    let (mut pool, mut kept) = ((0.0, 0.0), Vec::new());
+    for &(observed, expected) in bins {
+        if expected >= SMALLEST_EXPECTATION {
+            kept.push((observed, expected));
+        } else {
+            pool.0 += observed;
+            pool.1 += expected.max(0.0);
+        }
+    }
+    if pool.1 >= SMALLEST_EXPECTATION {
+        kept.push(pool);
+    } else if pool.0 > 6.0 * SMALLEST_EXPECTATION {
+        // At most 8 expected, at least 48 seen: a Poisson tail of 1e-20.
+        return Some(0.0);
+    }
+    let freedom = kept.len().checked_sub(1).filter(|n| *n > 0)? as f64;
+    let statistic: f64 = kept.iter().map(|(o, e)| (o - e) * (o - e) / e).sum();
+    Some(ChiSquared::new(freedom).ok()?.sf(statistic))
+}
+
+/// The stability law: relative error <= 16 (1 + kappa) u.
+fn stability_bound(kappa: f64, unit_roundoff: f64) -> f64 {
+    16.0 * (1.0 + kappa) * unit_roundoff
+}
+
+/// A number that a model gives for a pair of directions.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Quantity {
+    /// A channel of `f`: 0, 1 or 2.
+    F(usize),
+    /// The density.
+    Pdf,
+}
+
+impl Quantity {
+    /// All of them.
+    pub(super) const ALL: [Self; 4] = [Self::F(0), Self::F(1), Self::F(2), Self::Pdf];
+
+    /// Its value in the model's precision.
+    pub(super) fn of<R: Real>(self, bxdf: &dyn Bxdf<R>, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        match self {
+            Self::F(channel) => {
+                let rgb = bxdf.f(wo, wi).0;
+                rgb.into_iter().nth(channel).unwrap_or(R::nan())
+            }
+            Self::Pdf => bxdf.pdf(wo, wi),
+        }
+    }
+}
+
+/// Relative step of the derivatives by the directions' components, in reference precision: small beside alpha mu, the
+/// width in which the narrowest lobe reacts between grazing directions (1e-4 times 1e-9), large beside 1e-32.
+const COMPONENT_STEP: f64 = 1e-16;
+
+/// The condition number of `quantity`: the sum of |x d/dx| over its absolute value, over the six components of the
+/// directions and the numeric parameters, by differences.
+pub(super) fn condition_number(
+    subject: &Subject,
+    wo: DVec3,
+    wi: DVec3,
+    quantity: Quantity,
+) -> f64 {
+    let value = |o: Vec3<Df64>, i: Vec3<Df64>| quantity.of(&*subject.reference, o, i);
+    let (wo_exact, wi_exact) = (Vec3::from(wo), Vec3::from(wi));
+    let moved = |w: Vec3<Df64>, axis: usize, sign: f64| {
+        let step = Df64::of(1.0) + Df64::of(sign * COMPONENT_STEP);
+        match axis {
+            0 => Vec3::new(w.x * step, w.y, w.z),
+            1 => Vec3::new(w.x, w.y * step, w.z),
+            _ => Vec3::new(w.x, w.y, w.z * step),
+        }
+    };
+    let mut sum = 0.0;
+    for axis in 0..3 {
+        let by_wo = [1.0, -1.0].map(|sign| value(moved(wo_exact, axis, sign), wi_exact));
+        let by_wi = [1.0, -1.0].map(|sign| value(wo_exact, moved(wi_exact, axis, sign)));
+        for [up, down] in [by_wo, by_wi] {
+            sum += (up - down).as_f64().abs() / (2.0 * COMPONENT_STEP);
+        }
+    }
+    for neighbour in &subject.neighbours {
+        let [up, down] = &neighbour.pair;
+        let [up, down] = [up, down].map(|bxdf| quantity.of(&**bxdf, wo.into(), wi.into()));
+        sum += (up - down).abs() / neighbour.relative_step;
+    }
+    let here = value(wo_exact, wi_exact).as_f64().abs();
+    if here > 0.0 { sum / here } else { f64::INFINITY }
+}
+
+/// What the stability law allows for `quantity` at a pair, in a precision of `unit_roundoff`; the condition number is
+/// measured only where `deviation` needs it.
+pub(super) fn rounding_bound(
+    subject: &Subject,
+    (wo, wi): (DVec3, DVec3),
+    quantity: Quantity,
+    deviation: f64,
+    unit_roundoff: f64,
+) -> f64 {
+    let well_conditioned = stability_bound(0.0, unit_roundoff);
+    if deviation <= well_conditioned {
+        well_conditioned
+    } else {
+        stability_bound(condition_number(subject, wo, wi, quantity), unit_roundoff)
+    }
+}
+
+/// |a - b| over the larger of the two; 0 where both are 0, infinite where one is no finite number.
+pub(super) fn relative_difference(a: f64, b: f64) -> f64 {
+    if a == b {
+        0.0
+    } else if a.is_finite() && b.is_finite() {
+        (a - b).abs() / a.abs().max(b.abs())
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// Whether `x` is so small in precision `R` that its digits are no longer all there.
+pub(super) fn is_subnormal<R: Real>(x: f64) -> bool {
+    x.abs() < R::min_positive_value().as_f64() * 4.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tail_of_chi_square_and_its_correction() {
+        // Two bins of 100: (10^2 + 10^2) / 100 = 2 at one degree of freedom has the tail erfc(1) = .15729920705.
+        let p = chi_square(&[(110.0, 100.0), (90.0, 100.0)]).unwrap();
+        assert!((p - 0.157_299_207_05).abs() < 1e-9, "{p}");
+        assert!(chi_square(&[(100.0, 100.0), (0.0, 0.0)]).is_none());
+        assert_eq!(chi_square(&[(50.0, 100.0), (50.0, 0.0)]), Some(0.0));
+        assert!((sidak(1) - SIGNIFICANCE).abs() < 1e-15);
+        assert!((1.0 - (1.0 - sidak(100)).powi(100) - SIGNIFICANCE).abs() < 1e-12);
+    }
+
+    #[test]
+    fn random_directions_are_unit_and_repeat() {
+        let mut random = Random::new(7);
+        let first = random.direction();
+        assert!((first.length() - 1.0).abs() < 1e-15);
+        assert_eq!(Random::new(7).direction(), first);
+        assert!((0..1000).all(|_| (0.0..1.0).contains(&random.unit())));
+    }
+}

@@ -1,0 +1,147 @@
+//! What the laws are run on: a model at one set of parameters, in every precision.
+
+use glam::DVec3;
+use xprec::Df64;
+
+use crate::bxdf::math::frame;
+use crate::bxdf::param::{ParamSet, ParamSpec, Value};
+use crate::bxdf::{Bxdf, Category, Lobe, ModelSpec, Side};
+
+/// A model at one set of parameters, built in every precision, with what is declared of it.
+pub struct Subject {
+    /// Model and parameters, as text.
+    pub name: String,
+    /// In `f32`.
+    pub single: Box<dyn Bxdf<f32>>,
+    /// In `f64`: what most laws are run on.
+    pub double: Box<dyn Bxdf<f64>>,
+    /// In the reference precision.
+    pub reference: Box<dyn Bxdf<Df64>>,
+    /// In the reference precision, with the parameters rounded to `f32`.
+    pub reference_of_single: Box<dyn Bxdf<Df64>>,
+    /// The same model at parameters nearby, to measure how much a parameter's rounding matters.
+    pub neighbours: Vec<Neighbour>,
+    /// The lobes it says it has.
+    pub lobes: &'static [Lobe],
+    /// The index below the surface over the one above.
+    pub relative_index: f64,
+    /// Whether it is declared isotropic.
+    pub is_isotropic: bool,
+}
+
+/// A model at two values of one parameter, close to each other.
+pub struct Neighbour {
+    /// The model at the larger and at the smaller value.
+    pub pair: [Box<dyn Bxdf<f64>>; 2],
+    /// The difference of the two values over the value itself.
+    pub relative_step: f64,
+}
+
+/// Relative step of a parameter: small beside every power it enters with, large beside rounding (1e-16).
+const RELATIVE_STEP: f64 = 1e-7;
+
+impl Subject {
+    /// `model` at `params`.
+    #[must_use]
+    pub fn new(model: &ModelSpec, params: &ParamSet) -> Self {
+        let values = params.to_string();
+        let colon = if values.is_empty() { "" } else { ":" };
+        Self {
+            name: format!("{}{colon}{values}", model.id),
+            single: model.build(params),
+            double: model.build(params),
+            reference: model.build(params),
+            reference_of_single: model.build(&rounded_to_single(params)),
+            neighbours: neighbours(model, params),
+            lobes: model.lobes,
+            relative_index: (model.properties.relative_index)(params),
+            is_isotropic: (model.properties.is_isotropic)(params),
+        }
+    }
+
+    /// The index of refraction on the side of `w`.
+    pub(super) fn index_at(&self, w: DVec3) -> f64 {
+        if w.z < 0.0 { self.relative_index } else { 1.0 }
+    }
+
+    /// Whether one of the lobes goes to `side`.
+    pub(super) fn has_side(&self, side: Side) -> bool {
+        self.lobes.iter().any(|lobe| lobe.side == side)
+    }
+
+    /// Whether one of the lobes is of `category`.
+    pub(super) fn has_category(&self, category: Category) -> bool {
+        self.lobes.iter().any(|lobe| lobe.category == category)
+    }
+
+    /// The witness of a comparison at these directions.
+    pub(super) fn witness(&self, directions: &[(&str, DVec3)]) -> String {
+        let mut text = self.name.clone();
+        for (name, w) in directions {
+            let (theta, phi) = (frame::theta(*w).to_degrees(), frame::phi(*w).to_degrees());
+            text.push_str(&format!(" {name} ({theta:.7}, {phi:.7})"));
+        }
+        text
+    }
+}
+
+/// `params` with every number rounded to the nearest `f32` inside its range.
+fn rounded_to_single(params: &ParamSet) -> ParamSet {
+    let mut rounded = params.clone();
+    for (spec, value) in params.iter() {
+        let round = |x: f64| f64::from(x as f32);
+        let value = match value {
+            Value::Number(x) => Value::Number(round(x)),
+            Value::Rgb(rgb) => Value::Rgb(rgb.map(round)),
+            other => other,
+        };
+        // An end of the range may round to just outside it; the parameter then keeps its exact value, which the model
+        // in f32 does not have either: a part in 1e8, within the parameter's own share of the condition number.
+        let _ = rounded.set(spec.name, value);
+    }
+    rounded
+}
+
+/// The neighbours of `params` along each numeric parameter that has an effect.
+fn neighbours(model: &ModelSpec, params: &ParamSet) -> Vec<Neighbour> {
+    params
+        .iter()
+        .filter(|(spec, _)| params.is_relevant(spec))
+        .filter_map(|(spec, value)| neighbour(model, params, spec, value))
+        .collect()
+}
+
+fn neighbour(
+    model: &ModelSpec,
+    params: &ParamSet,
+    spec: &ParamSpec,
+    value: Value,
+) -> Option<Neighbour> {
+    let scaled = |factor: f64| {
+        let value = match value {
+            Value::Number(x) => Value::Number(x * factor),
+            Value::Rgb(rgb) => Value::Rgb(rgb.map(|x| x * factor)),
+            Value::Choice(_) | Value::Bool(_) => return None,
+        };
+        let mut moved = params.clone();
+        moved.set(spec.name, value).ok()?;
+        (model.validate)(&moved).ok()?;
+        Some(model.build(&moved))
+    };
+    let unmoved = || model.build(params);
+    match (scaled(1.0 + RELATIVE_STEP), scaled(1.0 - RELATIVE_STEP)) {
+        (Some(up), Some(down)) => Some(Neighbour {
+            pair: [up, down],
+            relative_step: 2.0 * RELATIVE_STEP,
+        }),
+        (Some(up), None) => Some(Neighbour {
+            pair: [up, unmoved()],
+            relative_step: RELATIVE_STEP,
+        }),
+        (None, Some(down)) => Some(Neighbour {
+            pair: [unmoved(), down],
+            relative_step: RELATIVE_STEP,
+        }),
+        (None, None) => None,
+    }
+}

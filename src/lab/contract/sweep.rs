@@ -1,0 +1,175 @@
+//! Where the laws are checked: a curated sweep of parameters, and the directions.
+
+use glam::DVec3;
+
+use crate::bxdf::ModelSpec;
+use crate::bxdf::math::frame::direction_from_degrees;
+use crate::bxdf::param::{Kind, ParamSet, ParamSpec, Value};
+
+/// Widths along s and t: both ends of the range, the end of the slider, two blades.
+const ALPHA_PAIRS: [[f64; 2]; 5] = [
+    [1e-4, 1e-4],
+    [0.01, 0.01],
+    [1.0, 1.0],
+    [0.05, 0.5],
+    [1e-4, 1.0],
+];
+
+/// The given directions of the statistical laws: normal, oblique, 85 and 89.9 degrees, and two below the surface; the
+/// azimuths are no multiples of a symmetry.
+#[must_use]
+pub fn directions() -> Vec<DVec3> {
+    [
+        (0.0, 0.0),
+        (35.0, 20.0),
+        (60.0, 130.0),
+        (85.0, -75.0),
+        (89.9, 200.0),
+        (150.0, 45.0),
+        (95.0, -160.0),
+    ]
+    .map(|(theta_deg, phi_deg)| direction_from_degrees(theta_deg, phi_deg))
+    .to_vec()
+}
+
+/// The parameters a model is checked at: its defaults; all colours 0; all colours 1 with every word of every choice; and
+/// with each of those words the ends of every number's ranges and the widths of [`ALPHA_PAIRS`].
+///
+/// Combinations that the model refuses are left out, and those that differ only in a parameter without effect.
+#[must_use]
+pub fn parameter_sets(model: &ModelSpec) -> Vec<ParamSet> {
+    let mut sets = Sets {
+        model,
+        found: Vec::new(),
+    };
+    let defaults = model.defaults();
+    sets.add(Some(defaults.clone()));
+    sets.add(with_colours(&defaults, 0.0));
+    let Some(white) = with_colours(&defaults, 1.0) else {
+        return sets.found;
+    };
+    let mut bases = vec![white.clone()];
+    for spec in model.parameters {
+        let words = spec.choices.iter().map(|word| Value::Choice(word));
+        let flags = [false, true].map(Value::Bool);
+        let values: Vec<Value> = match spec.kind {
+            Kind::Choice => words.collect(),
+            Kind::Bool => flags.to_vec(),
+            Kind::Number | Kind::Rgb => continue,
+        };
+        bases.extend(
+            values
+                .into_iter()
+                .filter_map(|value| with(&white, spec.name, value)),
+        );
+    }
+    for base in bases {
+        for spec in model.parameters {
+            for value in ends(spec) {
+                if base.is_relevant(spec) {
+                    sets.add(with(&base, spec.name, value));
+                }
+            }
+        }
+        for [alpha_x, alpha_y] in ALPHA_PAIRS {
+            sets.add(
+                with(&base, "alpha_x", Value::Number(alpha_x))
+                    .and_then(|set| with(&set, "alpha_y", Value::Number(alpha_y))),
+            );
+        }
+        sets.add(Some(base));
+    }
+    sets.found
+}
+
+struct Sets<'a> {
+    model: &'a ModelSpec,
+    found: Vec<ParamSet>,
+}
+
+impl Sets<'_> {
+    fn add(&mut self, set: Option<ParamSet>) {
+        let Some(mut set) = set else { return };
+        let without_effect: Vec<&ParamSpec> = set
+            .iter()
+            .map(|(spec, _)| spec)
+            .filter(|spec| !set.is_relevant(spec))
+            .collect();
+        for spec in without_effect {
+            if set.set(spec.name, spec.default).is_err() {
+                return;
+            }
+        }
+        if (self.model.validate)(&set).is_ok() && !self.found.contains(&set) {
+            self.found.push(set);
+        }
+    }
+}
+
+/// The ends of the ranges of a number or an index; none for colours (which are 0 and 1 in the bases) and for widths.
+fn ends(spec: &ParamSpec) -> Vec<Value> {
+    if spec.is_colour() || spec.name.starts_with("alpha_") {
+        return Vec::new();
+    }
+    let values = [spec.hard, spec.soft].into_iter().flatten();
+    match spec.kind {
+        Kind::Number => values.map(Value::Number).collect(),
+        Kind::Rgb => values.map(|x| Value::Rgb([x; 3])).collect(),
+        Kind::Choice | Kind::Bool => Vec::new(),
+    }
+}
+
+/// `set` with one value changed; `None` where there is no such parameter.
+fn with(set: &ParamSet, name: &str, value: Value) -> Option<ParamSet> {
+    let mut changed = set.clone();
+    changed.set(name, value).ok().map(|()| changed)
+}
+
+/// `set` with every colour at `level`.
+fn with_colours(set: &ParamSet, level: f64) -> Option<ParamSet> {
+    let mut changed = set.clone();
+    for (spec, _) in set.iter().filter(|(spec, _)| spec.is_colour()) {
+        changed.set(spec.name, Value::Rgb([level; 3])).ok()?;
+    }
+    Some(changed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bxdf::models;
+
+    #[test]
+    fn the_sweep_reaches_every_word_and_both_ends() {
+        for model in models::MODELS {
+            let sets = parameter_sets(model);
+            for spec in model.parameters {
+                for word in spec.choices {
+                    assert!(
+                        sets.iter()
+                            .any(|set| set.get(spec.name) == Some(Value::Choice(word))),
+                        "{} {word}",
+                        model.id
+                    );
+                }
+                if spec.kind == Kind::Number {
+                    for end in spec.hard {
+                        assert!(
+                            sets.iter()
+                                .any(|set| set.get(spec.name) == Some(Value::Number(end))),
+                            "{} {} {end}",
+                            model.id,
+                            spec.name
+                        );
+                    }
+                }
+            }
+        }
+        let metal = parameter_sets(models::find("rough_conductor").unwrap());
+        assert!(
+            metal.iter().any(|set| set.choice("fresnel") == "one"
+                && set.number("alpha_x") == 1e-4
+                && set.number("alpha_y") == 1.0)
+        );
+    }
+}

@@ -1,0 +1,93 @@
+//! Pictures of the window without a display: the same `App`, driven step by step.
+
+use std::path::PathBuf;
+
+use eframe::egui_wgpu::{WgpuSetup, wgpu};
+use egui::Theme;
+use egui_kittest::Harness;
+use egui_kittest::wgpu::default_wgpu_setup;
+use wgpu::Backends;
+
+use super::app::App;
+use super::session::Session;
+use super::views::ViewSpec;
+use crate::error::{Error, Result};
+
+/// The most frames a picture takes to settle: layout needs two or three.
+const MAX_FRAMES: u64 = 32;
+
+/// A picture to be made.
+pub struct Picture {
+    /// What to show.
+    pub session: Session,
+    /// The view to show alone; the whole window if absent.
+    pub only: Option<&'static ViewSpec>,
+    /// Width and height in points.
+    pub size: [u32; 2],
+    /// Pixels per point.
+    pub scale: f32,
+    /// Dark or light.
+    pub theme: Theme,
+}
+
+impl Picture {
+    /// Draws the picture into a PNG file. The file is written whole or not at all.
+    ///
+    /// # Errors
+    /// [`Error::Platform`] without a graphics adapter, [`Error::Io`] where the file cannot be written.
+    pub fn save(self, output: &PathBuf) -> Result<()> {
+        let mut harness = self.harness()?;
+        let image = harness.render().map_err(|problem| Error::Platform {
+            problem: format!("the picture cannot be drawn: {problem}"),
+            remedy: "a smaller --size or --scale may do".to_owned(),
+        })?;
+        let mut bytes = Vec::new();
+        image
+            .write_to(&mut std::io::Cursor::new(&mut bytes), image::ImageFormat::Png)
+            .map_err(|error| Error::io(output, std::io::Error::other(error)))?;
+        std::fs::write(output, bytes).map_err(|error| Error::io(output, error))
+    }
+
+    /// The running application behind the picture, settled; tests drive it on.
+    ///
+    /// # Errors
+    /// [`Error::Platform`] without a graphics adapter.
+    pub fn harness(self) -> Result<Harness<'static, App>> {
+        let mut setup = default_wgpu_setup();
+        if let WgpuSetup::CreateNew(setup) = &mut setup {
+            setup.instance_descriptor.backends = backends_with_adapter()?;
+        }
+        let [width, height] = self.size.map(|points| points as f32);
+        let mut harness = Harness::builder()
+            .with_size(egui::vec2(width, height))
+            .with_pixels_per_point(self.scale)
+            .with_theme(self.theme)
+            .with_max_steps(MAX_FRAMES)
+            .with_render_cursor(false)
+            .wgpu_setup(setup)
+            .build_eframe(|cc| App::new(cc, self.session, self.only, None));
+        harness.run_ok();
+        Ok(harness)
+    }
+}
+
+/// The backends that have a graphics adapter: the modern ones if any has, so that the older ones are not even started.
+///
+/// # Errors
+/// [`Error::Platform`] where there is none, naming the remedy.
+pub fn backends_with_adapter() -> Result<Backends> {
+    let instance = |backends| {
+        wgpu::Instance::new(wgpu::InstanceDescriptor {
+            backends,
+            ..wgpu::InstanceDescriptor::new_without_display_handle()
+        })
+    };
+    let has_adapter =
+        |backends| !pollster::block_on(instance(backends).enumerate_adapters(backends)).is_empty();
+    [Backends::PRIMARY, Backends::SECONDARY].into_iter().find(|backends| has_adapter(*backends)).ok_or_else(|| {
+        Error::Platform {
+            problem: "no graphics adapter is found".to_owned(),
+            remedy: "install a Vulkan driver; the software one is in the package mesa-vulkan-drivers".to_owned(),
+        }
+    })
+}

@@ -1,0 +1,68 @@
+//! Scene contents as plain data: triangles and lines.
+//!
+//! World axes: x = s, y = t, z = n; lengths are in units of the unit dome.
+
+use bytemuck::{Pod, Zeroable};
+/// Unmultiplied sRGB colour with alpha, 0 to 255 each.
+pub type Rgba = [u8; 4];
+
+/// A corner of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Vertex {
+    /// World position.
+    pub position: [f32; 3],
+    /// Surface normal, of any length and either side; zero asks for flat shading.
+    pub normal: [f32; 3],
+    /// Colour; alpha counts only in [`Scene::translucent`].
+    pub color: Rgba,
+}
+
+/// A straight line of constant width on screen.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Line {
+    /// One end, in world units.
+    pub a: [f32; 3],
+    /// Other end, in world units.
+    pub b: [f32; 3],
+    /// Colour; below full alpha the line is blended and hides nothing.
+    pub color: Rgba,
+    /// Width in egui points, above 0.
+    pub width: f32,
+}
+
+/// Indexed triangles; either side of a triangle is visible.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    /// Corners.
+    pub vertices: Vec<Vertex>,
+    /// Three indices into `vertices` for each triangle.
+    pub indices: Vec<u32>,
+}
+
+impl Surface {
+    /// Appends a mesh; `indices` count from its own first vertex.
+    ///
+    /// Appends nothing if the surface would outgrow 32-bit indices.
+    pub fn append(&mut self, vertices: &[Vertex], indices: impl IntoIterator<Item = u32>) {
+        let base = u32::try_from(self.vertices.len());
+        let end = u32::try_from(self.vertices.len() + vertices.len());
+        if let (Ok(base), Ok(_)) = (base, end) {
+            self.vertices.extend_from_slice(vertices);
+            self.indices
+                .extend(indices.into_iter().map(|index| base + index));
+        }
+    }
+}
+
+/// Everything one 3D view draws.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Lit triangles that hide what is behind them.
+    pub opaque: Surface,
+    /// Unlit triangles blended over the rest by their vertex alpha.
+    pub translucent: Surface,
+    /// Lines, hidden by opaque triangles in front of them.
+    pub lines: Vec<Line>,
+}

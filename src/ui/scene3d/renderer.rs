@@ -1,0 +1,361 @@
+//! Draws 3D views through egui's wgpu callbacks.
+
+use core::mem::size_of;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use bytemuck::{Pod, Zeroable};
+use eframe::egui_wgpu::{self, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
+use eframe::wgpu;
+use egui::{PaintCallbackInfo, Rect};
+
+use super::buffers::SceneBuffers;
+use super::camera::OrbitCamera;
+use super::geometry::{Rgba, Scene};
+use super::pipelines::{COLOR_FORMAT, DEPTH_FORMAT, Pipelines, SAMPLES};
+
+/// One 3D view in one frame.
+///
+/// Buffers are uploaded when `version` changes, the target is remade when the size in pixels
+/// changes, and the picture is redrawn when anything in here but the position changes.
+#[derive(Clone, Debug)]
+pub struct SceneView {
+    /// Which view this is: the same in every frame, and different for views shown together.
+    pub id: u64,
+    /// What to draw.
+    pub scene: Arc<Scene>,
+    /// Changes whenever the content of `scene` does; the content itself is not compared.
+    pub version: u64,
+    /// Where to see it from.
+    pub camera: OrbitCamera,
+    /// Colour behind the scene; its alpha is ignored, the view covers what is under it.
+    pub background: Rgba,
+}
+
+/// Prepares the drawing of 3D views; call it once when the app starts.
+///
+/// Without it, views stay empty, because a callback cannot know the format of the screen. Egui's
+/// own pass must have one sample and no depth buffer, which is eframe's default.
+pub fn init(render_state: &RenderState) {
+    let views = Views {
+        pipelines: Pipelines::new(&render_state.device, render_state.target_format),
+        by_id: HashMap::new(),
+    };
+    render_state
+        .renderer
+        .write()
+        .callback_resources
+        .insert(views);
+}
+
+/// The shape that shows a view in `rect`, in points. Add it to a painter in every frame.
+#[must_use]
+pub fn shape(rect: Rect, view: SceneView) -> egui::epaint::PaintCallback {
+    egui_wgpu::Callback::new_paint_callback(rect, SceneCallback { rect, view })
+}
+
+/// Entry in egui's map of callback resources.
+struct Views {
+    pipelines: Pipelines,
+    by_id: HashMap<u64, ViewState>,
+}
+
+struct SceneCallback {
+    rect: Rect,
+    view: SceneView,
+}
+
+impl CallbackTrait for SceneCallback {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        screen: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        if let Some(Views { pipelines, by_id }) = resources.get_mut()
+            && let Some(place) = Placement::new(self.rect, screen.pixels_per_point, device)
+        {
+            by_id
+                .entry(self.view.id)
+                .or_insert_with(|| ViewState::new(device, pipelines))
+                .update(
+                    &Gpu {
+                        device,
+                        queue,
+                        pipelines,
+                    },
+                    encoder,
+                    &self.view,
+                    &place,
+                );
+        }
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _info: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        if let Some(Views { pipelines, by_id }) = resources.get()
+            && let Some(state) = by_id.get(&self.view.id)
+            && let Some(target) = &state.target
+        {
+            pass.set_pipeline(&pipelines.copy);
+            pass.set_bind_group(0, &state.uniform_group, &[]);
+            pass.set_bind_group(1, &target.picture_group, &[]);
+            pass.draw(0..3, 0..1);
+        }
+    }
+}
+
+/// Where a view is on screen and how large its target is.
+#[derive(Clone, Copy)]
+struct Placement {
+    /// Top-left corner in screen pixels; may be outside the screen.
+    origin: [f32; 2],
+    /// Size of the view in screen pixels.
+    size: [f32; 2],
+    /// Size of the target in texels.
+    texels: [u32; 2],
+    pixels_per_point: f32,
+    /// Width over height.
+    aspect: f32,
+}
+
+impl Placement {
+    /// `None` for a view that has no pixels.
+    fn new(rect: Rect, pixels_per_point: f32, device: &wgpu::Device) -> Option<Self> {
+        // Rounded edges, as egui rounds the viewport it sets for the callback.
+        let min = (rect.min * pixels_per_point).round();
+        let size = (rect.max * pixels_per_point).round() - min;
+        if !(size.is_finite() && size.min_elem() >= 1.0 && pixels_per_point > 0.0) {
+            return None;
+        }
+        let limit = device.limits().max_texture_dimension_2d;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number of at least 1; `as` saturates and the limit follows"
+        )]
+        let texels = [size.x, size.y].map(|pixels| (pixels as u32).min(limit));
+        Some(Self {
+            origin: min.into(),
+            size: size.into(),
+            texels,
+            pixels_per_point,
+            aspect: rect.aspect_ratio(),
+        })
+    }
+}
+
+/// Mirrors `View` in the shader.
+#[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+struct Uniforms {
+    view_proj: [f32; 16],
+    eye: [f32; 3],
+    pixels_per_point: f32,
+    target_size: [f32; 2],
+    screen_origin: [f32; 2],
+    texels_per_pixel: [f32; 2],
+    padding: [f32; 2],
+}
+
+impl Uniforms {
+    fn new(camera: &OrbitCamera, place: &Placement) -> Self {
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "texture sizes are far below 2^24"
+        )]
+        let [width, height] = place.texels.map(|texels| texels as f32);
+        let [screen_width, screen_height] = place.size;
+        let texels_per_pixel = [width / screen_width, height / screen_height];
+        Self {
+            view_proj: camera.view_proj(place.aspect).to_cols_array(),
+            eye: camera.eye().into(),
+            pixels_per_point: place.pixels_per_point,
+            target_size: [width, height],
+            screen_origin: place.origin,
+            texels_per_pixel,
+            padding: [0.0; 2],
+        }
+    }
+}
+
+/// All that a picture depends on; an equal key means an equal picture.
+#[derive(Clone, PartialEq)]
+struct PictureKey {
+    camera: OrbitCamera,
+    version: u64,
+    background: Rgba,
+    texels: [u32; 2],
+    aspect: f32,
+    pixels_per_point: f32,
+}
+
+struct Gpu<'a> {
+    device: &'a wgpu::Device,
+    queue: &'a wgpu::Queue,
+    pipelines: &'a Pipelines,
+}
+
+/// What one view keeps on the GPU from frame to frame.
+struct ViewState {
+    uniforms: Uniforms,
+    uniform_buffer: wgpu::Buffer,
+    uniform_group: wgpu::BindGroup,
+    buffers: SceneBuffers,
+    target: Option<Target>,
+    drawn: Option<PictureKey>,
+}
+
+impl ViewState {
+    fn new(device: &wgpu::Device, pipelines: &Pipelines) -> Self {
+        let uniform_buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("scene3d uniforms"),
+            size: size_of::<Uniforms>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let uniform_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("scene3d uniforms"),
+            layout: &pipelines.view_layout,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: uniform_buffer.as_entire_binding(),
+            }],
+        });
+        Self {
+            // wgpu zeroes new buffers, so this is what the buffer holds.
+            uniforms: Uniforms::zeroed(),
+            uniform_buffer,
+            uniform_group,
+            buffers: SceneBuffers::new(),
+            target: None,
+            drawn: None,
+        }
+    }
+
+    /// Brings the picture up to date, recording a pass into `encoder` if it has to be redrawn.
+    fn update(
+        &mut self,
+        gpu: &Gpu<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+        view: &SceneView,
+        place: &Placement,
+    ) {
+        let uniforms = Uniforms::new(&view.camera, place);
+        if self.uniforms != uniforms {
+            gpu.queue
+                .write_buffer(&self.uniform_buffer, 0, bytemuck::bytes_of(&uniforms));
+            self.uniforms = uniforms;
+        }
+        let key = PictureKey {
+            camera: view.camera.clone(),
+            version: view.version,
+            background: view.background,
+            texels: place.texels,
+            aspect: place.aspect,
+            pixels_per_point: place.pixels_per_point,
+        };
+        if self.drawn.as_ref() == Some(&key) {
+            return;
+        }
+        self.buffers
+            .upload(gpu.device, gpu.queue, &view.scene, view.version);
+        let old = self
+            .target
+            .take()
+            .filter(|target| target.texels == place.texels);
+        let target = old.unwrap_or_else(|| Target::new(gpu, place.texels));
+        let mut pass = target.begin_pass(encoder, view.background);
+        pass.set_bind_group(0, &self.uniform_group, &[]);
+        self.buffers.draw(&mut pass, gpu.pipelines);
+        drop(pass);
+        self.target = Some(target);
+        self.drawn = Some(key);
+    }
+}
+
+/// The textures a view is drawn into.
+struct Target {
+    texels: [u32; 2],
+    color: wgpu::TextureView,
+    depth: wgpu::TextureView,
+    picture: wgpu::TextureView,
+    picture_group: wgpu::BindGroup,
+}
+
+impl Target {
+    fn new(gpu: &Gpu<'_>, texels: [u32; 2]) -> Self {
+        let [width, height] = texels;
+        let attachment = |format, sample_count, more_usage| {
+            let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some("scene3d target"),
+                size: wgpu::Extent3d {
+                    width,
+                    height,
+                    depth_or_array_layers: 1,
+                },
+                mip_level_count: 1,
+                sample_count,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | more_usage,
+                view_formats: &[],
+            });
+            texture.create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        let none = wgpu::TextureUsages::empty();
+        let picture = attachment(COLOR_FORMAT, 1, wgpu::TextureUsages::TEXTURE_BINDING);
+        let picture_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("scene3d picture"),
+            layout: &gpu.pipelines.picture_layout,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: wgpu::BindingResource::TextureView(&picture),
+            }],
+        });
+        Self {
+            texels,
+            color: attachment(COLOR_FORMAT, SAMPLES, none),
+            depth: attachment(DEPTH_FORMAT, SAMPLES, none),
+            picture,
+            picture_group,
+        }
+    }
+
+    fn begin_pass<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        background: Rgba,
+    ) -> wgpu::RenderPass<'a> {
+        let [r, g, b, _] = background.map(|channel| f64::from(channel) / 255.0);
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("scene3d"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.color,
+                depth_slice: None,
+                resolve_target: Some(&self.picture),
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a: 1.0 }),
+                    // Only the resolved picture is read again.
+                    store: wgpu::StoreOp::Discard,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(1.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+}

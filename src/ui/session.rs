@@ -1,0 +1,200 @@
+//! The session: all that is saved, shared and shown; everything else on the screen follows from it.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::scene3d::OrbitCamera;
+use crate::analysis::{Channel, Hold, RadialScale};
+use crate::bxdf::math::frame;
+use crate::bxdf::{Material, models};
+use crate::error::{Error, Result};
+
+/// Which curves the polar plot draws.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Curves {
+    /// One curve of the luminance.
+    #[default]
+    Luminance,
+    /// Three curves: R, G and B.
+    Rgb,
+}
+
+impl Curves {
+    /// The channels drawn.
+    #[must_use]
+    pub fn channels(self) -> &'static [Channel] {
+        match self {
+            Self::Luminance => &[Channel::Luminance],
+            Self::Rgb => &[Channel::Red, Channel::Green, Channel::Blue],
+        }
+    }
+}
+
+/// How many decades a logarithmic scale shows.
+pub const DECADES: f64 = 4.0;
+
+/// What is on the screen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Session {
+    /// The material shown.
+    pub material: Material,
+    /// Which direction is held.
+    pub hold: Hold,
+    /// Polar angle of the held direction from n, in degrees, 0..180.
+    pub theta_deg: f64,
+    /// Azimuth of the held direction from s, in degrees, -180..180.
+    pub phi_deg: f64,
+    /// By how much the surface is turned about n, in degrees, -180..180.
+    pub rotation_deg: f64,
+    /// Azimuth of the polar plot's section in degrees; the plane of incidence if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub section_phi_deg: Option<f64>,
+    /// The radial scale of both views.
+    pub scale: RadialScale,
+    /// The curves of the polar plot.
+    pub curves: Curves,
+    /// Whether values carry |cos(theta)| of the free direction.
+    pub with_cosine: bool,
+    /// Whether the 3D view draws theta, phi and the projection of the held direction.
+    pub show_geometry: bool,
+    /// The camera of the 3D view.
+    pub camera: OrbitCamera,
+}
+
+impl Default for Session {
+    /// A start worth looking at: rough gold, lit from the left at 50 degrees.
+    fn default() -> Self {
+        Self {
+            material: models::find("rough_conductor").map_or_else(|_| Material::of(models::MODELS[0]), Material::of),
+            hold: Hold::Light,
+            theta_deg: 50.0,
+            phi_deg: 180.0,
+            rotation_deg: 0.0,
+            section_phi_deg: None,
+            scale: RadialScale::Linear,
+            curves: Curves::Luminance,
+            with_cosine: false,
+            show_geometry: false,
+            camera: OrbitCamera::default(),
+        }
+    }
+}
+
+impl Session {
+    /// Reads a session from TOML text; `place` names it in errors.
+    ///
+    /// # Errors
+    /// [`Error::Parse`] where the text is no session or an angle is out of range.
+    pub fn from_toml(text: &str, place: &str) -> Result<Self> {
+        let session: Self = toml::from_str(text).map_err(|error| {
+            let line = error.span().map_or(1, |span| text.get(..span.start).unwrap_or_default().lines().count().max(1));
+            Error::parse(format!("{place}: line {line}"), error.message().replace('\n', " "))
+        })?;
+        let angles = [
+            ("theta_deg", session.theta_deg, 0.0, 180.0),
+            ("phi_deg", session.phi_deg, -360.0, 360.0),
+            ("rotation_deg", session.rotation_deg, -360.0, 360.0),
+            ("section_phi_deg", session.section_phi_deg.unwrap_or(0.0), -360.0, 360.0),
+        ];
+        for (name, value, min, max) in angles {
+            if !(min..=max).contains(&value) {
+                return Err(Error::parse(place, format!("{name} = {value}: allowed is {min} to {max} degrees")));
+            }
+        }
+        Ok(session)
+    }
+
+    /// The session as TOML text.
+    ///
+    /// # Errors
+    /// [`Error::Parse`] if it cannot be written, which no session does.
+    pub fn to_toml(&self) -> Result<String> {
+        toml::to_string(self).map_err(|error| Error::parse("session", error.to_string()))
+    }
+
+    /// The held direction, a unit vector.
+    #[must_use]
+    pub fn held(&self) -> DVec3 {
+        frame::direction_from_degrees(self.theta_deg, self.phi_deg)
+    }
+
+    /// Holds the direction nearest to `w` in tenths of a degree.
+    pub fn set_held(&mut self, w: DVec3) {
+        let tenth = |angle: f64| (angle.to_degrees() * 10.0).round() / 10.0;
+        self.theta_deg = tenth(frame::theta(w));
+        // Along n the azimuth is of no effect: the old one stays, so that the plots do not jump.
+        if w.x.hypot(w.y) > 1e-3 {
+            self.phi_deg = tenth(frame::phi(w));
+        }
+    }
+
+    /// The azimuth of the polar plot's section, in degrees, -90 (excluded) to 90: the half that is drawn to the right.
+    #[must_use]
+    pub fn section_azimuth_deg(&self) -> f64 {
+        let azimuth = self.section_phi_deg.unwrap_or(self.phi_deg);
+        let folded = (azimuth + 90.0).rem_euclid(180.0) - 90.0;
+        if folded == -90.0 { 90.0 } else { folded }
+    }
+
+    /// Whether the section is the plane of incidence.
+    #[must_use]
+    pub fn section_holds_held(&self) -> bool {
+        let difference = (self.phi_deg - self.section_azimuth_deg()).rem_euclid(180.0);
+        self.theta_deg == 0.0 || self.theta_deg == 180.0 || difference.min(180.0 - difference) < 1e-9
+    }
+
+    /// The name of the held direction.
+    #[must_use]
+    pub fn held_name(&self) -> &'static str {
+        match self.hold {
+            Hold::Light => "light",
+            Hold::Viewer => "viewer",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn toml_round_trips() {
+        let session = Session {
+            material: "oren_nayar:sigma=35".parse().unwrap(),
+            hold: Hold::Viewer,
+            scale: RadialScale::Logarithmic { decades: 3.0 },
+            section_phi_deg: Some(30.0),
+            ..Session::default()
+        };
+        let text = session.to_toml().unwrap();
+        assert_eq!(Session::from_toml(&text, "test").unwrap(), session);
+        assert_eq!(Session::from_toml("", "test").unwrap(), Session::default());
+    }
+
+    #[test]
+    fn broken_sessions_name_the_line() {
+        for (text, expected) in [
+            ("hold = \"light\"\ntheta_deg = \"steep\"", "s.toml: line 2"),
+            ("theta_deg = 200.0", "theta_deg = 200: allowed is 0 to 180 degrees"),
+            ("material = \"gold\"", "unknown model 'gold'"),
+            ("flavour = 1", "unknown field"),
+        ] {
+            let line = Session::from_toml(text, "s.toml").unwrap_err().to_string();
+            assert!(line.contains(expected) && !line.contains('\n'), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_section_keeps_its_right_side_while_the_light_crosses_n() {
+        let mut session = Session::default();
+        assert_eq!(session.section_azimuth_deg(), 0.0);
+        session.set_held(frame::direction_from_degrees(20.0, 0.0));
+        assert_eq!((session.theta_deg, session.phi_deg, session.section_azimuth_deg()), (20.0, 0.0, 0.0));
+        session.set_held(DVec3::Z);
+        assert_eq!(session.phi_deg, 0.0);
+        session.phi_deg = -90.0;
+        assert_eq!(session.section_azimuth_deg(), 90.0);
+    }
+}

@@ -1,0 +1,223 @@
+//! Every colour and size of the window.
+
+use egui::{Color32, FontFamily, FontId, Stroke, TextStyle, Theme, Vec2};
+
+use super::scene3d::Rgba;
+use crate::analysis::{Channel, Hold};
+
+/// The size of the window at first, in points.
+pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);
+/// The smallest size of the window, in points.
+pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(760.0, 480.0);
+/// The width of the panel with models and parameters.
+pub const SIDE_WIDTH: f32 = 292.0;
+/// The width of a drop-down, in points.
+pub const COMBO_WIDTH: f32 = 118.0;
+/// Width of the curve of a lobe.
+pub const CURVE_WIDTH: f32 = 2.0;
+/// Radius of a handle that can be dragged.
+pub const HANDLE_RADIUS: f32 = 7.0;
+/// Alpha of the area under a curve, 0..255.
+const FILL_ALPHA: u8 = 30;
+
+/// The colour-blind-safe colours of Okabe & Ito 2008 ("Color Universal Design").
+mod okabe_ito {
+    pub const ORANGE: [u8; 3] = [230, 159, 0];
+    pub const SKY_BLUE: [u8; 3] = [86, 180, 233];
+    pub const GREEN: [u8; 3] = [0, 158, 115];
+    pub const BLUE: [u8; 3] = [0, 114, 178];
+    pub const VERMILION: [u8; 3] = [213, 94, 0];
+    pub const PURPLE: [u8; 3] = [204, 121, 167];
+}
+
+/// The colours of one theme.
+#[derive(Clone, Copy, Debug)]
+pub struct Palette {
+    /// Behind the views.
+    pub background: Color32,
+    /// Text and the normal.
+    pub ink: Color32,
+    /// Labels of secondary rank.
+    pub faint_ink: Color32,
+    /// Rings, rays and the degree grid.
+    pub grid: Color32,
+    /// The horizon and the axes.
+    pub axis: Color32,
+    /// The curve of the first material.
+    pub lobe: Color32,
+    /// The held direction where the light is held.
+    pub light: Color32,
+    /// The held direction where the viewer is held.
+    pub viewer: Color32,
+    /// The mirror direction.
+    pub mirror: Color32,
+    /// Dirac deltas.
+    pub delta: Color32,
+    /// Theta, phi and the projection.
+    pub geometry: Color32,
+    /// The translucent dome.
+    pub dome: Rgba,
+    /// The surface itself, seen as a disc.
+    pub ground: Rgba,
+    /// Absorbed light in the bar of shares.
+    pub absorbed: Color32,
+    /// Transmitted light in the bar of shares.
+    pub transmitted: Color32,
+    red: Color32,
+    green: Color32,
+    blue: Color32,
+}
+
+const fn rgb([r, g, b]: [u8; 3]) -> Color32 {
+    #[expect(clippy::disallowed_methods, reason = "this is the file where colours live")]
+    Color32::from_rgb(r, g, b)
+}
+
+const fn grey(level: u8) -> Color32 {
+    rgb([level; 3])
+}
+
+impl Palette {
+    /// The colours for a theme.
+    #[must_use]
+    pub fn of(theme: Theme) -> Self {
+        match theme {
+            Theme::Dark => Self::dark(),
+            Theme::Light => Self::light(),
+        }
+    }
+
+    fn dark() -> Self {
+        Self {
+            background: rgb([22, 24, 28]),
+            ink: grey(225),
+            faint_ink: grey(160),
+            grid: rgb([58, 62, 70]),
+            axis: grey(140),
+            lobe: rgb(okabe_ito::SKY_BLUE),
+            light: rgb(okabe_ito::ORANGE),
+            viewer: rgb([120, 210, 150]),
+            mirror: rgb(okabe_ito::PURPLE),
+            delta: rgb([255, 120, 40]),
+            geometry: rgb([240, 228, 66]),
+            dome: [200, 210, 230, 14],
+            ground: [150, 160, 180, 40],
+            absorbed: grey(70),
+            transmitted: rgb(okabe_ito::GREEN),
+            red: rgb([240, 110, 90]),
+            green: rgb([60, 190, 140]),
+            blue: rgb([90, 160, 240]),
+        }
+    }
+
+    fn light() -> Self {
+        Self {
+            background: grey(252),
+            ink: grey(30),
+            faint_ink: grey(95),
+            grid: grey(214),
+            axis: grey(120),
+            lobe: rgb(okabe_ito::BLUE),
+            light: rgb([196, 120, 0]),
+            viewer: rgb([0, 128, 80]),
+            mirror: rgb([160, 70, 125]),
+            delta: rgb(okabe_ito::VERMILION),
+            geometry: rgb([150, 110, 0]),
+            dome: [90, 110, 150, 20],
+            ground: [110, 120, 140, 44],
+            absorbed: grey(190),
+            transmitted: rgb(okabe_ito::GREEN),
+            red: rgb([190, 50, 40]),
+            green: rgb([0, 120, 85]),
+            blue: rgb([20, 90, 190]),
+        }
+    }
+
+    /// The colour of the held direction.
+    #[must_use]
+    pub fn held(&self, hold: Hold) -> Color32 {
+        match hold {
+            Hold::Light => self.light,
+            Hold::Viewer => self.viewer,
+        }
+    }
+
+    /// The colour of a channel's curve.
+    #[must_use]
+    pub fn channel(&self, channel: Channel) -> Color32 {
+        match channel {
+            Channel::Luminance => self.lobe,
+            Channel::Red => self.red,
+            Channel::Green => self.green,
+            Channel::Blue => self.blue,
+        }
+    }
+}
+
+/// `color` as the area under a curve.
+#[must_use]
+pub fn fill_of(color: Color32) -> Color32 {
+    let [r, g, b, _] = color.to_array();
+    #[expect(clippy::disallowed_methods, reason = "this is the file where colours live")]
+    Color32::from_rgba_unmultiplied(r, g, b, FILL_ALPHA)
+}
+
+/// `color` as the 3D view takes it, with this alpha.
+#[must_use]
+pub fn rgba(color: Color32, alpha: u8) -> Rgba {
+    let [r, g, b, _] = color.to_array();
+    [r, g, b, alpha]
+}
+
+/// The perceptual colour map of values: viridis. `t`: 0..1, clamped.
+#[must_use]
+pub fn viridis(t: f64) -> Rgba {
+    let color = colorous::VIRIDIS.eval_continuous(t.clamp(0.0, 1.0));
+    [color.r, color.g, color.b, 255]
+}
+
+/// [`viridis`] as egui takes it.
+#[must_use]
+pub fn viridis_color(t: f64) -> Color32 {
+    let [r, g, b, _] = viridis(t);
+    rgb([r, g, b])
+}
+
+/// Linear channels 0..1 as the colour the screen shows.
+#[must_use]
+pub fn color_of_linear([r, g, b]: [f64; 3]) -> Color32 {
+    egui::Rgba::from_rgb(r as f32, g as f32, b as f32).into()
+}
+
+/// The line of a curve.
+#[must_use]
+pub fn curve(color: Color32) -> Stroke {
+    Stroke::new(CURVE_WIDTH, color)
+}
+
+/// Sets fonts, text sizes and spacing for both themes.
+pub fn apply(ctx: &egui::Context) {
+    let mut fonts = egui::FontDefinitions::default();
+    // The arrows and mathematical signs that the text font lacks.
+    fonts.families.entry(FontFamily::Proportional).or_default().push("Hack".to_owned());
+    ctx.set_fonts(fonts);
+    ctx.all_styles_mut(|style| {
+        let font = |size: f32| FontId::new(size, FontFamily::Proportional);
+        style.text_styles.insert(TextStyle::Heading, font(17.0));
+        style.text_styles.insert(TextStyle::Body, font(13.5));
+        style.text_styles.insert(TextStyle::Button, font(13.5));
+        style.text_styles.insert(TextStyle::Small, font(11.5));
+        style.spacing.item_spacing = Vec2::new(7.0, 5.0);
+        style.spacing.slider_width = 118.0;
+        style.spacing.interact_size.y = 20.0;
+    });
+    for theme in [Theme::Dark, Theme::Light] {
+        let palette = Palette::of(theme);
+        ctx.style_mut_of(theme, |style| {
+            style.visuals.override_text_color = Some(palette.ink);
+            style.visuals.weak_text_color = Some(palette.faint_ink);
+            style.visuals.extreme_bg_color = palette.background;
+            style.visuals.slider_trailing_fill = true;
+        });
+    }
+}

@@ -1,0 +1,102 @@
+//! Drawing that several views share.
+
+use egui::{Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Sense, TextStyle, Ui, Role, WidgetInfo, vec2};
+
+use crate::analysis::Channel;
+use crate::ui::session::{Curves, Session};
+use crate::ui::theme::{HANDLE_RADIUS, Palette};
+use crate::ui::views::Cursor;
+use crate::ui::format;
+
+/// The font of labels of secondary rank.
+#[must_use]
+pub fn small_font(ui: &Ui) -> FontId {
+    TextStyle::Small.resolve(ui.style())
+}
+
+/// The font of names.
+#[must_use]
+pub fn body_font(ui: &Ui) -> FontId {
+    TextStyle::Body.resolve(ui.style())
+}
+
+/// Text on a patch of background, so that it stays readable over lines. It is moved to stay inside the clip rectangle.
+pub fn haloed_text(
+    painter: &Painter,
+    position: Pos2,
+    anchor: Align2,
+    text: &str,
+    font: FontId,
+    color: Color32,
+    palette: &Palette,
+) -> Rect {
+    let galley = painter.layout_no_wrap(text.to_owned(), font, color);
+    let rect = inside(anchor.anchor_size(position, galley.size()), painter.clip_rect());
+    painter.rect_filled(rect.expand2(vec2(3.0, 1.0)), 3.0, palette.background.gamma_multiply(0.8));
+    painter.galley(rect.min, galley, color);
+    rect
+}
+
+/// `rect` moved by as little as possible to lie inside `bounds`.
+fn inside(rect: Rect, bounds: Rect) -> Rect {
+    let low = (bounds.min - rect.min).max(egui::Vec2::ZERO);
+    let high = (bounds.max - rect.max).min(egui::Vec2::ZERO);
+    rect.translate(low + high)
+}
+
+/// A note beside the pointer.
+pub fn pointer_note(ui: &Ui, pointer: Pos2, frame: Rect, text: &str, palette: &Palette) {
+    let painter = ui.painter_at(frame);
+    let galley = painter.layout_no_wrap(text.to_owned(), body_font(ui), palette.ink);
+    let size = galley.size() + vec2(12.0, 8.0);
+    let rect = inside(Rect::from_min_size(pointer + vec2(14.0, -size.y - 8.0), size), frame);
+    painter.rect(rect, 4.0, palette.background, (1.0, palette.axis), egui::StrokeKind::Inside);
+    painter.galley(rect.min + vec2(6.0, 4.0), galley, palette.ink);
+}
+
+/// A round handle that can be dragged, with its name for tests and screen readers.
+pub fn handle(ui: &Ui, position: Pos2, id: Id, name: &'static str, color: Color32, palette: &Palette) -> Response {
+    let grip = Rect::from_center_size(position, egui::Vec2::splat(2.0 * HANDLE_RADIUS + 8.0));
+    let response = ui.interact(grip, id, Sense::drag()).on_hover_cursor(egui::CursorIcon::Grab);
+    response.widget_info(|| WidgetInfo::labeled(Role::GraphicsObject, ui.is_enabled(), name));
+    let is_active = response.hovered() || response.dragged();
+    let radius = if is_active { HANDLE_RADIUS + 2.0 } else { HANDLE_RADIUS };
+    ui.painter().circle(position, radius, color, (2.0, palette.background));
+    response
+}
+
+/// The read-out of a direction: angles and value, per channel where these are shown.
+#[must_use]
+pub fn cursor_text(cursor: &Cursor, session: &Session) -> String {
+    let angles = format!("θ {}  φ {}", format::degrees(cursor.theta_deg), format::degrees(cursor.phi_deg));
+    let quantity = if session.with_cosine { "f cos θ" } else { "f" };
+    match session.curves {
+        Curves::Luminance => {
+            format!("{angles}  {quantity} {} 1/sr", format::value(Channel::Luminance.of(cursor.value)))
+        }
+        Curves::Rgb => {
+            let [r, g, b] = cursor.value.map(format::value);
+            format!("{angles}  {quantity} R {r}  G {g}  B {b} 1/sr")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn notes_stay_inside() {
+        let bounds = Rect::from_min_size(Pos2::ZERO, vec2(100.0, 100.0));
+        let moved = inside(Rect::from_min_size(Pos2::new(90.0, -5.0), vec2(20.0, 10.0)), bounds);
+        assert_eq!(moved, Rect::from_min_size(Pos2::new(80.0, 0.0), vec2(20.0, 10.0)));
+    }
+
+    #[test]
+    fn read_outs_name_angle_value_and_unit() {
+        let cursor = Cursor { theta_deg: 30.0, phi_deg: -0.0, value: [0.25; 3] };
+        assert_eq!(cursor_text(&cursor, &Session::default()), "θ 30°  φ 0°  f 0.25 1/sr");
+        let session = Session { curves: Curves::Rgb, with_cosine: true, ..Session::default() };
+        assert_eq!(cursor_text(&cursor, &session), "θ 30°  φ 0°  f cos θ R 0.25  G 0.25  B 0.25 1/sr");
+    }
+}

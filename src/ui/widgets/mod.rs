@@ -1,0 +1,7 @@
+//! Parts of the window that are no view.
+
+pub mod directions;
+pub mod draw;
+pub mod params;
+pub mod picker;
+pub mod status;

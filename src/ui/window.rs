@@ -1,0 +1,54 @@
+//! The native window.
+
+use std::env;
+
+use super::app::App;
+use super::session::Session;
+use super::{headless, theme};
+use crate::error::{Error, Result};
+
+/// Opens the window and runs it until it is closed.
+///
+/// # Errors
+/// [`Error::Platform`] where there is no display or no graphics adapter, naming the remedy.
+pub fn run() -> Result<()> {
+    require_display()?;
+    headless::backends_with_adapter()?;
+    let viewport = egui::ViewportBuilder::default()
+        .with_title("BRDF Explorer")
+        .with_app_id("brdf-explorer")
+        .with_inner_size(theme::WINDOW_SIZE)
+        .with_min_inner_size(theme::MIN_WINDOW_SIZE);
+    let options = eframe::NativeOptions { viewport, ..Default::default() };
+    eframe::run_native(
+        "brdf-explorer",
+        options,
+        Box::new(|cc| Ok(Box::new(App::new(cc, Session::default(), None, Some(seconds))))),
+    )
+    .map_err(|error| Error::Platform {
+        problem: format!("the window cannot be opened: {error}"),
+        remedy: "without a display, 'brdf-explorer render -o out.png' draws it to a file".to_owned(),
+    })
+}
+
+/// Seconds since the first call.
+fn seconds() -> f64 {
+    use std::sync::OnceLock;
+    static START: OnceLock<web_time::Instant> = OnceLock::new();
+    START.get_or_init(web_time::Instant::now).elapsed().as_secs_f64()
+}
+
+/// On systems that name their display in the environment: one must be named.
+fn require_display() -> Result<()> {
+    let is_named = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"]
+        .iter()
+        .any(|name| env::var_os(name).is_some_and(|value| !value.is_empty()));
+    if cfg!(all(unix, not(target_os = "macos"))) && !is_named {
+        return Err(Error::Platform {
+            problem: "no display is found (neither DISPLAY nor WAYLAND_DISPLAY is set)".to_owned(),
+            remedy: "start it in a graphical session, or draw to a file with 'brdf-explorer render -o out.png'"
+                .to_owned(),
+        });
+    }
+    Ok(())
+}
