@@ -11,7 +11,7 @@ use super::scene3d;
 use crate::analysis::RadialScale;
 
 /// The line that says what to try first.
-const FIRST_STEP: &str = "Try this: drag the orange light in a view, then pick another kind of reflection on the left";
+const FIRST_STEP: &str = "Try this: drag the round handle of the light, then pick another kind of reflection on the left";
 
 /// The application.
 pub struct App {
@@ -62,8 +62,6 @@ impl App {
             ui.label(RichText::new(model.summary).small());
             ui.add_space(2.0);
             params::show(ui, &mut self.session.material);
-            ui.separator();
-            directions::show(ui, &mut self.session);
             ui.add_space(4.0);
         });
     }
@@ -71,9 +69,8 @@ impl App {
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
         ui.columns(VIEWS.len(), |columns| {
             for (column, view) in columns.iter_mut().zip(&VIEWS) {
-                column.horizontal(|ui| {
-                    ui.label(RichText::new(view.title).strong()).on_hover_text(view.what_you_see);
-                });
+                column.label(RichText::new(view.title).strong());
+                column.label(RichText::new(view.what_you_see).small().weak());
                 self.show_view(column, view, palette);
             }
         });
@@ -97,6 +94,7 @@ impl eframe::App for App {
             status::show(ui, &self.session, before.as_ref(), &shares, self.data.last_update, &palette);
         });
         Panel::left("side").resizable(false).exact_size(theme::SIDE_WIDTH).show(ui, |ui| self.show_side(ui));
+        Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
         CentralPanel::no_frame().frame(frame).show(ui, |ui| self.show_views(ui, &palette));
         if self.cursor != before {

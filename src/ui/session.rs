@@ -67,7 +67,7 @@ impl Default for Session {
     /// A start worth looking at: rough gold, lit from the left at 50 degrees.
     fn default() -> Self {
         Self {
-            material: models::find("rough_conductor").map_or_else(|_| Material::of(models::MODELS[0]), Material::of),
+            material: Material::of(models::START),
             hold: Hold::Light,
             theta_deg: 50.0,
             phi_deg: 180.0,

@@ -27,6 +27,9 @@ pub static MODELS: [&ModelSpec; 8] = [
     &retro_reflector::SPEC,
 ];
 
+/// The model to begin with: its lobe shows at once what the direction of the light does.
+pub static START: &ModelSpec = &rough_conductor::SPEC;
+
 /// The model with this id.
 ///
 /// # Errors

@@ -29,6 +29,8 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
 const AXIS_LENGTH: f32 = 1.22;
 /// How high the view's centre lies when nothing is below the surface: the upper half then fills the view.
 const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
+/// How much closer the camera then comes.
+const UPPER_ZOOM: f32 = 1.15;
 /// Radius of the arcs of theta and phi.
 const ARC_RADIUS: f32 = 0.42;
 /// What one notch of the wheel zooms by is e to this times its points.
@@ -66,6 +68,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     };
     ui.painter().add(scene3d::shape(rect, view));
     let sketch = Sketch { ui, rect, camera: &camera, palette: cx.palette };
+    sketch.name_axes(&mesh, cx.session);
     sketch.label(cx.session, &arrows);
     sketch.legend(&mesh, cx.session);
     home_buttons(ui, rect, cx.session);
@@ -79,6 +82,7 @@ fn centred(camera: &OrbitCamera, has_lower: bool) -> OrbitCamera {
     let mut camera = camera.clone();
     if !has_lower {
         camera.set_target(camera.target() + UPPER_CENTRE);
+        camera.zoom(UPPER_ZOOM);
     }
     camera
 }
@@ -104,7 +108,7 @@ fn move_camera(ui: &Ui, response: &egui::Response, session: &mut Session) {
 }
 
 fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
-    let strip = Rect::from_min_size(rect.min + vec2(6.0, 6.0), vec2(rect.width() - 12.0, 22.0));
+    let strip = Rect::from_min_size(rect.left_bottom() + vec2(6.0, -28.0), vec2(rect.width() - 12.0, 22.0));
     ui.scope_builder(egui::UiBuilder::new().max_rect(strip).id_salt("home views"), |ui| {
         ui.horizontal(|ui| {
             for home in HomeView::ALL {
@@ -236,12 +240,24 @@ impl Sketch<'_> {
         }
     }
 
+    /// The names of the axes, where the lobe does not stand before them.
+    fn name_axes(&self, mesh: &Mesh, session: &Session) {
+        let eye = self.camera.eye();
+        for (axis, name) in [(Vec3::X, "s"), (Vec3::Y, "t"), (Vec3::Z, "n")] {
+            let place = axis * (AXIS_LENGTH + 0.08);
+            let sight = Ray { origin: eye, direction: place - eye };
+            let is_hidden = lobe_hit(&sight, mesh, session).is_some_and(|hit| {
+                (hit - eye.as_dvec3()).length() < f64::from((place - eye).length())
+            });
+            if !is_hidden {
+                self.name(place, name, self.palette.ink);
+            }
+        }
+    }
+
     fn label(&self, session: &Session, arrows: &[Arrow]) {
         let held = session.held().as_vec3();
         let mirror = Vec3::new(-held.x, -held.y, held.z);
-        for (axis, name) in [(Vec3::X, "s"), (Vec3::Y, "t"), (Vec3::Z, "n")] {
-            self.name(axis * (AXIS_LENGTH + 0.08), name, self.palette.ink);
-        }
         for arrow in arrows {
             let share = Channel::Luminance.of(arrow.flux);
             let place = (arrow.direction * share.max(0.3) * 0.62).as_vec3();
@@ -272,8 +288,8 @@ impl Sketch<'_> {
         if peak <= 0.0 {
             return;
         }
-        let (width, height) = (10.0, (0.3 * self.rect.height()).clamp(50.0, 160.0));
-        let corner = self.rect.right_bottom() - vec2(width + 10.0, height + 12.0);
+        let (width, height) = (10.0, (0.2 * self.rect.height()).clamp(50.0, 120.0));
+        let corner = self.rect.right_top() + vec2(-width - 8.0, 12.0);
         let bar = Rect::from_min_size(corner, vec2(width, height));
         let mut strip = egui::Mesh::default();
         let steps = 24_u32;

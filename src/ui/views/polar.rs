@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use egui::{Align2, Color32, Pos2, Stroke, Ui, vec2};
-use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, PlotUi};
+use egui_plot::{Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::lobe::Arrow;
@@ -23,14 +23,15 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
     show,
 };
 
-/// The radius around the plot's unit circle that labels need.
-const LABEL_ROOM: f64 = 0.32;
+/// The room beside the plot's unit circle that labels need, and above it.
+const SIDE_ROOM: f64 = 0.4;
+const TOP_ROOM: f64 = 0.27;
 /// Below the horizon, where nothing is drawn but the labels of the scale.
 const LOWER_ROOM: f64 = 0.16;
 /// Radius of the angle labels.
 const ANGLE_LABEL_RADIUS: f64 = 1.075;
 /// Radius of the names of directions.
-const NAME_RADIUS: f64 = 1.2;
+const NAME_RADIUS: f64 = 1.15;
 /// Spacing of the angle rays.
 const RAY_STEP_DEG: i32 = 15;
 /// A delta whose azimuth is within this of the section is drawn in it.
@@ -42,8 +43,8 @@ struct Radial {
     full: f64,
     /// The values that have a ring.
     ticks: Vec<f64>,
-    /// What the rings are numbered in.
-    unit: &'static str,
+    /// What the rings are numbered in, with its unit.
+    quantity: &'static str,
 }
 
 impl Radial {
@@ -54,7 +55,7 @@ impl Radial {
         if peak <= 0.0 {
             // Deltas alone: the rings count shares of the light.
             let ticks = vec![0.25, 0.5, 0.75, 1.0];
-            return Self { scale: RadialScale::Linear, full: 1.0, ticks, unit: "share of flux" };
+            return Self { scale: RadialScale::Linear, full: 1.0, ticks, quantity: "share of the flux" };
         }
         let (full, ticks) = match session.scale {
             RadialScale::Linear => {
@@ -67,7 +68,8 @@ impl Radial {
                 (10_f64.powf(top), (0..decades as i32).map(|i| 10_f64.powf(top - f64::from(i))).collect())
             }
         };
-        Self { scale: session.scale, full, ticks, unit: "1/sr" }
+        let quantity = if session.with_cosine { "f cos θ in 1/sr" } else { "f in 1/sr" };
+        Self { scale: session.scale, full, ticks, quantity }
     }
 
     fn radius(&self, value: f64) -> f64 {
@@ -86,18 +88,19 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let radial = Radial::of(cx.session, &section);
     let held = cx.session.held();
     let has_lower = !section.lower.is_empty() || held.z < 0.0 || arrows.iter().any(|a| a.direction.z < 0.0);
-    let lowest = if has_lower { -1.0 - LABEL_ROOM } else { -LOWER_ROOM };
-    let plot = Plot::new(("polar", has_lower))
+    let window = window(ui.available_size(), has_lower);
+    let plot = Plot::new(("polar", has_lower, ui.available_size().round().to_string()))
         .data_aspect(1.0)
         .show_axes(false)
         .show_grid(false)
         .show_x(false)
         .show_y(false)
         .show_crosshair(false)
+        .show_background(false)
         .allow_boxed_zoom(false)
         .set_margin_fraction(vec2(0.0, 0.0))
-        .default_x_bounds(-1.0 - LABEL_ROOM, 1.0 + LABEL_ROOM)
-        .default_y_bounds(lowest, 1.0 + LABEL_ROOM)
+        .default_x_bounds(window.min()[0], window.max()[0])
+        .default_y_bounds(window.min()[1], window.max()[1])
         .label_formatter(|_| None);
     let palette = *cx.palette;
     let response = plot.show(ui, |plot_ui| {
@@ -115,6 +118,17 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     if !is_dragging {
         read_out(ui, cx, &response.response, &transform, &radial);
     }
+}
+
+/// The smallest part of the plot's plane of this shape that holds the circle (or its upper half) with its labels.
+fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
+    let (right, top) = (1.0 + SIDE_ROOM, 1.0 + TOP_ROOM);
+    let bottom = if has_lower { -top } else { -LOWER_ROOM };
+    let (width, height) = (f64::from(size.x.max(1.0)), f64::from(size.y.max(1.0)));
+    let per_point = (2.0 * right / width).max((top - bottom) / height);
+    let (half_width, half_height) = (0.5 * width * per_point, 0.5 * height * per_point);
+    let middle = f64::midpoint(top, bottom);
+    PlotBounds::from_min_max([-half_width, middle - half_height], [half_width, middle + half_height])
 }
 
 fn is_in_section(session: &Session, arrow: &Arrow) -> bool {
@@ -239,14 +253,21 @@ impl Canvas<'_> {
             let place = self.position(radial.radius(*tick), FRAC_PI_2) + below;
             text(place, Align2::CENTER_TOP, format::value(*tick));
         }
-        text(self.position(0.0, 0.0) + below, Align2::CENTER_TOP, format!("0 {}", radial.unit));
+        text(self.position(0.5, -FRAC_PI_2) + below, Align2::CENTER_TOP, radial.quantity.to_owned());
     }
 
     fn name_directions(&self, session: &Session, palette: &theme::Palette) {
         let painter = self.painter();
         for (name, angle, color) in named_directions(session, palette) {
             let position = self.position(NAME_RADIUS, angle);
-            draw::haloed_text(&painter, position, Align2::CENTER_CENTER, name, draw::body_font(self.ui), color, palette);
+            // Outwards from the circle, so that the text stays clear of the angle labels.
+            let anchor = match angle.sin() {
+                x if x > 0.3 => Align2::LEFT_CENTER,
+                x if x < -0.3 => Align2::RIGHT_CENTER,
+                _ if angle.cos() < 0.0 => Align2::CENTER_TOP,
+                _ => Align2::CENTER_BOTTOM,
+            };
+            draw::haloed_text(&painter, position, anchor, name, draw::body_font(self.ui), color, palette);
         }
     }
 
@@ -258,11 +279,13 @@ impl Canvas<'_> {
             let share = Channel::Luminance.of(arrow.flux);
             let angle = polar::signed_angle(arrow.direction, azimuth);
             let (from, to) = (self.position(0.0, 0.0), self.position(share, angle));
-            painter.arrow(from, to - from, Stroke::new(3.0, palette.delta));
-            let across = (to - from).normalized().rot90() * if angle > 0.0 { -1.0 } else { 1.0 };
-            let anchor = if across.x < 0.0 { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
+            draw::arrow(&painter, from, to, palette.delta);
+            // Beside a long arrow, beyond the tip of a short one: either way clear of the horizon's numbers.
+            let place = if share > 0.4 { self.position(0.6 * share, angle) } else { self.position(share + 0.2, angle) };
+            let outwards = vec2(if angle > 0.0 { 10.0 } else { -10.0 }, 0.0);
+            let anchor = if angle > 0.0 { Align2::LEFT_CENTER } else { Align2::RIGHT_CENTER };
             let text = format!("delta {share:.3}");
-            let place = from + (to - from) * 0.6 + across * 10.0;
+            let place = place + outwards;
             draw::haloed_text(&painter, place, anchor, &text, draw::body_font(self.ui), palette.delta, palette);
         }
     }
@@ -334,7 +357,21 @@ mod tests {
         let radial = Radial::of(&session, &section(0.2546));
         assert_eq!(radial.ticks.len(), 4);
         assert!((radial.full - 1.0).abs() < 1e-12);
-        assert_eq!(Radial::of(&session, &Section::default()).unit, "share of flux");
+        assert_eq!(Radial::of(&session, &Section::default()).quantity, "share of the flux");
+    }
+
+    #[test]
+    fn every_shape_of_window_holds_the_circle() {
+        for size in [vec2(480.0, 360.0), vec2(300.0, 700.0), vec2(900.0, 200.0)] {
+            for has_lower in [false, true] {
+                let bounds = window(size, has_lower);
+                let ([left, low], [right, high]) = (bounds.min(), bounds.max());
+                assert!(left <= -1.399 && right >= 1.399 && high >= 1.269, "{size:?}");
+                assert!(low <= if has_lower { -1.269 } else { -0.159 }, "{size:?}");
+                let shape = (right - left) / (high - low);
+                assert!((shape / f64::from(size.x / size.y) - 1.0).abs() < 1e-6, "circles are round");
+            }
+        }
     }
 
     #[test]

@@ -1,12 +1,47 @@
 //! The direction panel: the held direction and the turn of the surface.
 
-use egui::{Slider, Ui};
+use std::ops::RangeInclusive;
+
+use egui::{Grid, RichText, ScrollArea, Slider, Ui};
 
 use crate::analysis::Hold;
 use crate::ui::session::Session;
 
 /// The panel; it changes the session.
 pub fn show(ui: &mut Ui, session: &mut Session) {
+    ui.add_space(3.0);
+    ScrollArea::horizontal().show(ui, |ui| grid(ui, session));
+    ui.add_space(2.0);
+}
+
+fn grid(ui: &mut Ui, session: &mut Session) {
+    Grid::new("directions").num_columns(3).spacing([12.0, 3.0]).show(ui, |ui| {
+        hold(ui, session);
+        let hint = "Polar angle of the held direction from the normal n";
+        angle(ui, "θ from n", &mut session.theta_deg, 0.0..=180.0, hint);
+        trigonometry(ui, "θ", session.theta_deg);
+        ui.end_row();
+
+        ui.weak(if session.hold == Hold::Light { "f over all wo" } else { "f over all wi" });
+        let hint = "Azimuth of the held direction from the axis s";
+        angle(ui, "φ from s", &mut session.phi_deg, -180.0..=180.0, hint);
+        trigonometry(ui, "φ", session.phi_deg);
+        ui.end_row();
+
+        ui.label("");
+        let hint =
+            "Turns the surface with its axes under the fixed directions: an isotropic lobe stays, an anisotropic one turns";
+        angle(ui, "Rotate surface about n", &mut session.rotation_deg, -180.0..=180.0, hint);
+        ui.weak(if session.material.is_isotropic() {
+            "Isotropic: the lobe stays as it is"
+        } else {
+            "Anisotropic: the lobe turns with the surface"
+        });
+        ui.end_row();
+    });
+}
+
+fn hold(ui: &mut Ui, session: &mut Session) {
     ui.horizontal(|ui| {
         ui.label("Hold");
         ui.selectable_value(&mut session.hold, Hold::Light, "Light")
@@ -14,39 +49,24 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
         ui.selectable_value(&mut session.hold, Hold::Viewer, "Viewer")
             .on_hover_text("Hold the viewer (wo): the lobe shows whence light is seen, f over all wi");
     });
-    angle(ui, "θ from n", &mut session.theta_deg, 0.0..=180.0, "Polar angle of the held direction from the normal n");
-    angle(ui, "φ from s", &mut session.phi_deg, -180.0..=180.0, "Azimuth of the held direction from the axis s");
-    let hint = "Turns the surface with its axes under the fixed directions: an isotropic lobe stays, an anisotropic one turns";
-    angle(ui, "Rotate surface about n", &mut session.rotation_deg, -180.0..=180.0, hint);
-    trigonometry(ui, session);
 }
 
-fn angle(ui: &mut Ui, label: &str, value: &mut f64, range: std::ops::RangeInclusive<f64>, hint: &str) {
+fn angle(ui: &mut Ui, label: &str, value: &mut f64, range: RangeInclusive<f64>, hint: &str) {
     let slider = Slider::new(value, range).suffix("°").max_decimals(4).step_by(0.1).text(label);
     ui.add(slider).on_hover_text(hint);
 }
 
-fn trigonometry(ui: &mut Ui, session: &Session) {
-    egui::Grid::new("trigonometry").num_columns(4).spacing([14.0, 2.0]).show(ui, |ui| {
-        for head in ["", "cos", "sin", "tan"] {
-            ui.weak(head);
-        }
-        ui.end_row();
-        for (name, angle_deg) in [("θ", session.theta_deg), ("φ", session.phi_deg)] {
-            ui.weak(name);
-            for number in cos_sin_tan(angle_deg) {
-                ui.monospace(number);
-            }
-            ui.end_row();
-        }
-    });
+fn trigonometry(ui: &mut Ui, name: &str, angle_deg: f64) {
+    let [cos, sin, tan] = cos_sin_tan(angle_deg);
+    let text = format!("cos {name} {cos} sin {name} {sin} tan {name} {tan}");
+    ui.label(RichText::new(text).monospace().small());
 }
 
 /// Cosine, sine and tangent as text; the tangent of a right angle is infinite.
 fn cos_sin_tan(angle_deg: f64) -> [String; 3] {
     let (cos, sin) = crate::bxdf::math::frame::cos_sin_deg(angle_deg);
-    let number = |x: f64| format!("{:>8.4}", x + 0.0);
-    let tangent = if cos == 0.0 { format!("{:>8}", "inf") } else { number(sin / cos) };
+    let number = |x: f64| format!("{:>6.3}", x + 0.0);
+    let tangent = if cos == 0.0 { format!("{:>6}", "inf") } else { number(sin / cos) };
     [number(cos), number(sin), tangent]
 }
 
@@ -56,7 +76,7 @@ mod tests {
 
     #[test]
     fn right_angles_are_exact() {
-        assert_eq!(cos_sin_tan(90.0).map(|s| s.trim().to_owned()), ["0.0000", "1.0000", "inf"]);
-        assert_eq!(cos_sin_tan(45.0)[2].trim(), "1.0000");
+        assert_eq!(cos_sin_tan(90.0).map(|s| s.trim().to_owned()), ["0.000", "1.000", "inf"]);
+        assert_eq!(cos_sin_tan(45.0)[2].trim(), "1.000");
     }
 }

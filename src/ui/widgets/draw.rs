@@ -44,6 +44,17 @@ fn inside(rect: Rect, bounds: Rect) -> Rect {
     rect.translate(low + high)
 }
 
+/// A thick arrow with a filled head, which is no longer than the arrow.
+pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
+    const HEAD: f32 = 13.0;
+    const WIDTH: f32 = 3.5;
+    let along = (to - from).normalized();
+    let head = HEAD.min((to - from).length());
+    let (base, across) = (to - along * head, along.rot90() * 0.42 * head);
+    painter.line_segment([from, base], (WIDTH, color));
+    painter.add(egui::Shape::convex_polygon(vec![to, base + across, base - across], color, egui::Stroke::NONE));
+}
+
 /// A note beside the pointer.
 pub fn pointer_note(ui: &Ui, pointer: Pos2, frame: Rect, text: &str, palette: &Palette) {
     let painter = ui.painter_at(frame);
