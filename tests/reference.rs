@@ -1,5 +1,12 @@
 //! Every model agrees with values computed elsewhere: the published formulas in 40-digit arithmetic.
 
+#![allow(
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::unwrap_used,
+    reason = "a test's own helpers may fail as loudly as the test"
+)]
+
 use std::path::{Path, PathBuf};
 
 use brdf_explorer::bxdf::math::Vec3;
@@ -54,7 +61,8 @@ struct Row {
 }
 
 fn read(file: &str) -> (Material, Vec<Row>) {
-    let text = std::fs::read_to_string(folder().join(file)).unwrap_or_else(|e| panic!("{file}: {e}"));
+    let text =
+        std::fs::read_to_string(folder().join(file)).unwrap_or_else(|e| panic!("{file}: {e}"));
     let material = text
         .lines()
         .find_map(|line| line.strip_prefix("# material:"))
@@ -67,7 +75,11 @@ fn read(file: &str) -> (Material, Vec<Row>) {
         .enumerate()
         .filter(|(_, line)| !line.starts_with('#'));
     let header = lines.next().map(|(_, line)| line);
-    assert_eq!(header, Some("wo_x,wo_y,wo_z,wi_x,wi_y,wi_z,f_r,f_g,f_b,pdf"), "{file}");
+    assert_eq!(
+        header,
+        Some("wo_x,wo_y,wo_z,wi_x,wi_y,wi_z,f_r,f_g,f_b,pdf"),
+        "{file}"
+    );
     let rows = lines.map(|(index, line)| {
         let line_number = index + 1;
         let fields: Vec<&str> = line.split(',').collect();
@@ -75,7 +87,11 @@ fn read(file: &str) -> (Material, Vec<Row>) {
         let numbers: Vec<f64> = fields
             .iter()
             .take(if fields[9].is_empty() { 9 } else { 10 })
-            .map(|field| field.parse().unwrap_or_else(|e| panic!("{file}:{line_number}: {e}")))
+            .map(|field| {
+                field
+                    .parse()
+                    .unwrap_or_else(|e| panic!("{file}:{line_number}: {e}"))
+            })
             .collect();
         Row {
             wo: DVec3::from_slice(&numbers[0..3]),

@@ -80,6 +80,12 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let palette = Palette::of(ui.ctx().theme());
+        if ui.available_width() < theme::USABLE_SIZE.x || ui.available_height() < theme::USABLE_SIZE.y {
+            if self.only.is_none() {
+                CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
+                return;
+            }
+        }
         self.data.begin_frame();
         let before = self.cursor.take();
         if let Some(view) = self.only {

@@ -126,7 +126,8 @@ impl Session {
         self.theta_deg = tenth(frame::theta(w));
         // Along n the azimuth is of no effect: the old one stays, so that the plots do not jump.
         if w.x.hypot(w.y) > 1e-3 {
-            self.phi_deg = tenth(frame::phi(w));
+            let phi_deg = tenth(frame::phi(w));
+            self.phi_deg = if phi_deg == -180.0 { 180.0 } else { phi_deg };
         }
     }
 

@@ -9,6 +9,8 @@ use crate::analysis::{Channel, Hold};
 pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);
 /// The smallest size of the window, in points.
 pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(760.0, 480.0);
+/// Below this size, in points, the panels leave no room for the views.
+pub const USABLE_SIZE: Vec2 = Vec2::new(400.0, 240.0);
 /// The width of the panel with models and parameters.
 pub const SIDE_WIDTH: f32 = 292.0;
 /// The width of a drop-down, in points.

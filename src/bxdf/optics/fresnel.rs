@@ -252,4 +252,15 @@ mod tests {
         assert!((t.x + 0.4).abs() < 1e-15 && t.z < 0.0);
         assert!((schlick(0.0, 0.04_f64) - 1.0).abs() < 1e-15 && schlick(1.0, 0.04_f64) == 0.04);
     }
+
+    #[test]
+    fn refraction_out_of_a_dense_medium_gives_unit_vectors() {
+        // From index 1000, all within 1e-3 of the normal crosses; the cosine alone no longer tells those directions apart.
+        for x in [0.0_f32, 1e-4, 5e-4, 9e-4] {
+            let w = Vec3::new(x, 0.0, -(1.0 - x * x).sqrt());
+            let n = 1.0 / 1000.0;
+            let crossed = refracted(w, n, dielectric_along(w, n).cos_t);
+            assert!((crossed.length_squared() - 1.0).abs() < 1e-6, "{crossed:?}");
+        }
+    }
 }

@@ -3,15 +3,13 @@
 //! A narrow lobe is a smooth bump in the slopes of its half vector, wherever it points; a solid-angle grid would miss it.
 //! Each hemisphere therefore has a chart in which the lobe is smooth, cut at the medians of pilot samples.
 
-use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;
 
 use gauss_quad::legendre::GaussLegendre;
 use glam::DVec3;
 
+use super::chart::{Chart, median};
 use super::subject::Subject;
-use crate::bxdf::math::frame;
-use crate::bxdf::{Category, Side};
 
 /// A cell is cut while each half keeps at least this many pilot samples.
 const PILOTS_PER_CELL: usize = 32;
@@ -27,105 +25,6 @@ pub(super) const CHANNELS: usize = 7;
 
 /// The integrals of all channels over a cell.
 pub(super) type Channels = [f64; CHANNELS];
-
-/// Coordinates in which the directions of one hemisphere are cut and integrated.
-struct Chart {
-    shape: Shape,
-    /// The given direction, mirrored to above the surface.
-    wo: DVec3,
-    /// The sign of z in the hemisphere.
-    sign: f64,
-}
-
-enum Shape {
-    /// x = theta from the hemisphere's pole, y = azimuth.
-    Polar,
-    /// x, y = asinh(slope / scale) of the half vector of `wo` and wi, or of wi mirrored about the normal.
-    Half { scale: [f64; 2], is_back: bool },
-}
-
-impl Chart {
-    fn coordinates(&self, wi: DVec3) -> [f64; 2] {
-        let wi = DVec3::new(wi.x, wi.y, wi.z * self.sign);
-        match self.shape {
-            Shape::Polar => [frame::theta(wi), frame::phi(wi)],
-            Shape::Half {
-                scale: [sx, sy],
-                is_back,
-            } => {
-                let [x, y] = slopes(self.wo, wi, is_back);
-                [(x / sx).asinh(), (y / sy).asinh()]
-            }
-        }
-    }
-
-    /// The direction at these coordinates, and the solid angle per unit of their area.
-    fn direction(&self, [x, y]: [f64; 2]) -> (DVec3, f64) {
-        let (wi, density) = match self.shape {
-            Shape::Polar => {
-                let ((sin, cos), (sin_phi, cos_phi)) = (x.sin_cos(), y.sin_cos());
-                (DVec3::new(sin * cos_phi, sin * sin_phi, cos), sin)
-            }
-            Shape::Half {
-                scale: [sx, sy],
-                is_back,
-            } => {
-                let (slope_x, slope_y) = (sx * x.sinh(), sy * y.sinh());
-                let hz = 1.0 / (1.0 + slope_x * slope_x + slope_y * slope_y).sqrt();
-                let wh = DVec3::new(slope_x * hz, slope_y * hz, hz);
-                let cos_d = self.wo.dot(wh);
-                let mut wi = wh * (2.0 * cos_d) - self.wo;
-                if is_back {
-                    wi = DVec3::new(-wi.x, -wi.y, wi.z);
-                }
-                // dwi = 4 cos_d dwh, dwh = hz^3 per unit of slope area.
-                let stretch = sx * x.cosh() * sy * y.cosh();
-                (wi, 4.0 * cos_d * hz * hz * hz * stretch)
-            }
-        };
-        (DVec3::new(wi.x, wi.y, wi.z * self.sign), density)
-    }
-
-    /// The range of y.
-    fn y_range(&self) -> [f64; 2] {
-        match self.shape {
-            Shape::Polar => [-PI, PI],
-            Shape::Half {
-                scale: [_, scale], ..
-            } => {
-                let (centre, radius) = (self.wo.y / self.wo.z, 1.0 / self.wo.z);
-                [centre - radius, centre + radius].map(|y| (y / scale).asinh())
-            }
-        }
-    }
-
-    /// The range of x at `y`. In slopes the hemisphere is the disc of radius 1/cos about tan(theta) of `wo`: the half
-    /// vectors' slopes are a stereographic projection of wi.
-    fn x_range(&self, y: f64) -> [f64; 2] {
-        match self.shape {
-            Shape::Polar => [0.0, FRAC_PI_2],
-            Shape::Half {
-                scale: [sx, sy], ..
-            } => {
-                let radius = 1.0 / self.wo.z;
-                let dy = sy * y.sinh() - self.wo.y * radius;
-                let reach = ((radius - dy) * (radius + dy)).max(0.0).sqrt();
-                let centre = self.wo.x * radius;
-                [centre - reach, centre + reach].map(|x| (x / sx).asinh())
-            }
-        }
-    }
-}
-
-/// The slopes of the half vector of `wo` and `wi`, both above the surface.
-fn slopes(wo: DVec3, wi: DVec3, is_back: bool) -> [f64; 2] {
-    let sum = if is_back {
-        wo + DVec3::new(-wi.x, -wi.y, wi.z)
-    } else {
-        wo + wi
-    };
-    [sum.x / sum.z, sum.y / sum.z]
-}
 
 #[derive(Clone, Copy)]
 struct Rectangle {
@@ -216,7 +115,11 @@ impl Partition {
     pub(super) fn new(subject: &Subject, wo: DVec3, pilots: &[DVec3]) -> Self {
         let mut first = 0;
         let hemispheres = [1.0, -1.0].map(|sign| {
-            let inside: Vec<DVec3> = pilots.iter().copied().filter(|w| w.z * sign > 0.0).collect();
+            let inside: Vec<DVec3> = pilots
+                .iter()
+                .copied()
+                .filter(|w| w.z * sign > 0.0)
+                .collect();
             let hemisphere = Hemisphere::new(subject, wo, sign, &inside, first);
             first += hemisphere.cells.len();
             hemisphere
@@ -305,9 +208,8 @@ impl Partition {
                 error: difference,
             };
         }
-        let parts = quarters.map(|(quarter, value)| {
-            self.refined(chart, quarter, value, f, (tolerance, depth - 1))
-        });
+        let parts = quarters
+            .map(|(quarter, value)| self.refined(chart, quarter, value, f, (tolerance, depth - 1)));
         CellIntegral::sum(&parts)
     }
 
@@ -328,10 +230,7 @@ impl Partition {
             if x_half > 0.0 {
                 for &(node_x, weight_x) in &self.rule {
                     let weight = weight_x * weight_y * x_half * y_half;
-                    sum = add(
-                        sum,
-                        f([x_middle + x_half * node_x, y]).map(|v| v * weight),
-                    );
+                    sum = add(sum, f([x_middle + x_half * node_x, y]).map(|v| v * weight));
                 }
             }
         }
@@ -341,34 +240,8 @@ impl Partition {
 
 impl Hemisphere {
     fn new(subject: &Subject, wo: DVec3, sign: f64, inside: &[DVec3], first: usize) -> Self {
-        let above = |w: DVec3| DVec3::new(w.x, w.y, w.z.abs());
-        let is_back = subject.has_category(Category::RetroReflective);
-        let is_near = wo.z * sign > 0.0;
-        let is_lobed = subject.has_side(Side::Reflection)
-            && (is_back || subject.has_category(Category::GlossySpecular));
-        let shape = if is_near && is_lobed && !inside.is_empty() {
-            let mut all: Vec<[f64; 2]> = inside
-                .iter()
-                .map(|wi| slopes(above(wo), above(*wi), is_back).map(f64::abs))
-                .collect();
-            let scale = [true, false].map(|is_x| median(&mut all, is_x).max(f64::EPSILON));
-            Shape::Half { scale, is_back }
-        } else {
-            Shape::Polar
-        };
-        let chart = Chart {
-            shape,
-            wo: above(wo),
-            sign,
-        };
-        let y = chart.y_range();
-        // Wide enough for every row; the rows themselves are clipped to the hemisphere.
-        let x = match chart.shape {
-            Shape::Polar => [0.0, FRAC_PI_2],
-            Shape::Half {
-                scale: [scale, _], ..
-            } => [-1.0, 1.0].map(|s: f64| ((chart.wo.x + s) / chart.wo.z / scale).asinh()),
-        };
+        let chart = Chart::new(subject, wo, sign, inside);
+        let [x, y] = [chart.widest_x_range(), chart.y_range()];
         let mut points: Vec<[f64; 2]> = inside.iter().map(|w| chart.coordinates(*w)).collect();
         let mut cells = Vec::new();
         let root = cut(&mut points, Rectangle { x, y }, true, &mut cells);
@@ -390,9 +263,27 @@ fn cut(points: &mut [[f64; 2]], cell: Rectangle, is_x: bool, cells: &mut Vec<Rec
     let at = median(points, is_x);
     let ([x0, x1], [y0, y1]) = (cell.x, cell.y);
     let (low, high) = if is_x {
-        (Rectangle { x: [x0, at], ..cell }, Rectangle { x: [at, x1], ..cell })
+        (
+            Rectangle {
+                x: [x0, at],
+                ..cell
+            },
+            Rectangle {
+                x: [at, x1],
+                ..cell
+            },
+        )
     } else {
-        (Rectangle { y: [y0, at], ..cell }, Rectangle { y: [at, y1], ..cell })
+        (
+            Rectangle {
+                y: [y0, at],
+                ..cell
+            },
+            Rectangle {
+                y: [at, y1],
+                ..cell
+            },
+        )
     };
     let (points_low, points_high) = points.split_at_mut(points.len() / 2);
     Node::Cut {
@@ -401,17 +292,6 @@ fn cut(points: &mut [[f64; 2]], cell: Rectangle, is_x: bool, cells: &mut Vec<Rec
         low: Box::new(cut(points_low, low, !is_x, cells)),
         high: Box::new(cut(points_high, high, !is_x, cells)),
     }
-}
-
-/// The median of the x or y of `points`, which are left in two halves about it. 0 without points.
-fn median(points: &mut [[f64; 2]], is_x: bool) -> f64 {
-    let key = |[x, y]: &[f64; 2]| if is_x { *x } else { *y };
-    if points.is_empty() {
-        return 0.0;
-    }
-    let (_, middle, _) =
-        points.select_nth_unstable_by(points.len() / 2, |a, b| key(a).total_cmp(&key(b)));
-    key(middle)
 }
 
 fn add(mut a: Channels, b: Channels) -> Channels {

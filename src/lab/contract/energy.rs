@@ -34,8 +34,10 @@ pub(super) fn energy(
 
 /// The largest channel, or a NaN if there is one.
 fn worst(rgb: [f64; 3]) -> f64 {
-    rgb.into_iter()
-        .fold(f64::NEG_INFINITY, |worst, x| if x <= worst { worst } else { x })
+    rgb.into_iter().fold(
+        f64::NEG_INFINITY,
+        |worst, x| if x <= worst { worst } else { x },
+    )
 }
 
 /// The subject of a declaration's witness, or what is wrong with its parameters.

@@ -10,7 +10,9 @@ use crate::bxdf::optics::Spectrum;
 
 /// Absolute cosines down to the horizon: 1e-23 squares to a subnormal f32, 1e-38 is one itself; 1e-160 and 1e-308 are
 /// the same in f64 (and 0 in f32).
-const COSINES: [f64; 10] = [1.0, 0.7, 1e-2, 1e-5, 1e-8, 1e-23, 1e-38, 1e-160, 1e-308, 0.0];
+const COSINES: [f64; 10] = [
+    1.0, 0.7, 1e-2, 1e-5, 1e-8, 1e-23, 1e-38, 1e-160, 1e-308, 0.0,
+];
 
 /// Azimuths against the given direction's, in degrees: aligned, opposed, and neither.
 const AZIMUTHS_DEG: [f64; 4] = [0.0, 180.0, 90.0, 33.0];
@@ -25,12 +27,7 @@ pub(super) fn finite(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     finite_in(subject, &*subject.reference, plan, tallies);
 }
 
-fn finite_in<R: Real>(
-    subject: &Subject,
-    bxdf: &dyn Bxdf<R>,
-    plan: &Plan,
-    tallies: &mut Tallies,
-) {
+fn finite_in<R: Real>(subject: &Subject, bxdf: &dyn Bxdf<R>, plan: &Plan, tallies: &mut Tallies) {
     let given: Vec<Vec3<R>> = COSINES
         .into_iter()
         .flat_map(|cos| [direction(cos, 0.0), -direction(cos, 0.0)])
@@ -63,11 +60,7 @@ fn finite_in<R: Real>(
 fn direction<R: Real>(cos: f64, azimuth_deg: f64) -> Vec3<R> {
     let radius = ((1.0 - cos) * (1.0 + cos)).sqrt();
     let (cos_phi, sin_phi) = cos_sin_deg(azimuth_deg);
-    Vec3::new(
-        R::of(radius * cos_phi),
-        R::of(radius * sin_phi),
-        R::of(cos),
-    )
+    Vec3::new(R::of(radius * cos_phi), R::of(radius * sin_phi), R::of(cos))
 }
 
 fn samples_are_finite<R: Real>(
@@ -76,11 +69,7 @@ fn samples_are_finite<R: Real>(
     wo: Vec3<R>,
     tallies: &mut Tallies,
 ) {
-    let ends = [
-        R::zero(),
-        R::of(0.5),
-        R::one() - R::of(R::UNIT_ROUNDOFF),
-    ];
+    let ends = [R::zero(), R::of(0.5), R::one() - R::of(R::UNIT_ROUNDOFF)];
     for uc in ends {
         for u in ends {
             for v in ends {

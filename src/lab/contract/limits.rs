@@ -189,7 +189,15 @@ pub fn compare(limit: &Limit, a: &Subject, b: &Subject, plan: &Plan, tallies: &m
             same_deltas(limit, a, b, tallies);
         }
         Relation::Mirrored => {
-            same_values(limit, a, b, plan, tallies, |w| w, Vec3::mirrored_about_normal);
+            same_values(
+                limit,
+                a,
+                b,
+                plan,
+                tallies,
+                |w| w,
+                Vec3::mirrored_about_normal,
+            );
         }
         Relation::QuarterTurn => {
             let turned = |w: Vec3<f64>| Vec3::new(-w.y, w.x, w.z);
@@ -216,9 +224,18 @@ fn same_values(
         let expected = b.double.f(to, ti).0;
         let pdf = (a.double.pdf(wo.into(), wi.into()), b.double.pdf(to, ti));
         for (x, y) in found.into_iter().zip(expected).chain([pdf]) {
-            tallies.record(LawId::Limits, relative_difference(x, y), limit.tolerance, || {
-                format!("{} against {}", a.witness(&[("wo", wo), ("wi", wi)]), b.name)
-            });
+            tallies.record(
+                LawId::Limits,
+                relative_difference(x, y),
+                limit.tolerance,
+                || {
+                    format!(
+                        "{} against {}",
+                        a.witness(&[("wo", wo), ("wi", wi)]),
+                        b.name
+                    )
+                },
+            );
         }
     }
 }
@@ -245,7 +262,12 @@ fn same_deltas(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
                 continue;
             }
             for (x, y) in twin.flux.0.into_iter().zip(delta.flux.0) {
-                tallies.record(LawId::Limits, relative_difference(x, y), limit.tolerance, witness);
+                tallies.record(
+                    LawId::Limits,
+                    relative_difference(x, y),
+                    limit.tolerance,
+                    witness,
+                );
             }
         }
     }
@@ -256,7 +278,10 @@ fn narrow_lobe(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
     /// Samples per direction: at a tail of 6e-4 the mean is off by 1.5e-4 (one standard error) in 2^15.
     const SAMPLES: u32 = 1 << 15;
     let mut random = Random::new(92);
-    for w in directions().into_iter().filter(|w| w.z.abs() > SMALLEST_COSINE) {
+    for w in directions()
+        .into_iter()
+        .filter(|w| w.z.abs() > SMALLEST_COSINE)
+    {
         let rho = directional_hemispherical(&*a.double, w, 1e-6).reflection;
         for delta in b.double.deltas(w.into()).into_iter().flatten() {
             let mut flux = [0.0; 3];
@@ -271,10 +296,17 @@ fn narrow_lobe(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
                     .for_each(|(sum, x)| *sum += x / f64::from(SAMPLES));
             }
             let expected = delta.flux.0;
-            for (x, y) in flux.into_iter().zip(expected).chain(rho.into_iter().zip(expected)) {
-                tallies.record(LawId::Limits, relative_difference(x, y), limit.tolerance, || {
-                    format!("{} against {}", a.witness(&[("w", w)]), b.name)
-                });
+            for (x, y) in flux
+                .into_iter()
+                .zip(expected)
+                .chain(rho.into_iter().zip(expected))
+            {
+                tallies.record(
+                    LawId::Limits,
+                    relative_difference(x, y),
+                    limit.tolerance,
+                    || format!("{} against {}", a.witness(&[("w", w)]), b.name),
+                );
             }
         }
     }

@@ -6,8 +6,8 @@ use super::statistics::{Quantity, Random, is_subnormal, relative_difference, rou
 use super::subject::Subject;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies};
-use crate::bxdf::math::frame::{direction_from_degrees, turned_about_normal};
 use crate::bxdf::math::Real;
+use crate::bxdf::math::frame::{direction_from_degrees, turned_about_normal};
 use crate::bxdf::{Declaration, ModelSpec, Side};
 
 /// Polar angles of grazing pairs, in degrees.
@@ -113,7 +113,8 @@ pub(super) fn isotropy(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
             largest = largest.max(deviation);
             if subject.is_isotropic {
                 // The turned components carry the rounding of the larger ones: the bounds of both places.
-                let bound = |at| rounding_bound(subject, at, quantity, deviation, f64::UNIT_ROUNDOFF);
+                let bound =
+                    |at| rounding_bound(subject, at, quantity, deviation, f64::UNIT_ROUNDOFF);
                 let error = bound((wo, wi)) + bound((wo_turned, wi_turned));
                 tallies.record(LawId::Isotropy, deviation, error, || {
                     subject.witness(&[("wo", wo), ("wi", wi)])
@@ -129,10 +130,7 @@ pub(super) fn isotropy(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
 }
 
 /// By how much reciprocity breaks at a declared witness, or what is wrong with the witness.
-pub(super) fn declared_break(
-    model: &ModelSpec,
-    declaration: &Declaration,
-) -> Result<f64, String> {
+pub(super) fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Result<f64, String> {
     let subject = super::energy::declared_subject(model, declaration)?;
     let wi = direction_from_degrees(declaration.theta_deg, 0.0);
     let mut largest: f64 = 0.0;
@@ -150,6 +148,9 @@ pub(super) fn declared_break(
     if largest > 0.0 {
         Ok(largest)
     } else {
-        Err(format!("{} keeps reciprocity at the declared witness", subject.name))
+        Err(format!(
+            "{} keeps reciprocity at the declared witness",
+            subject.name
+        ))
     }
 }

@@ -34,7 +34,8 @@ const UNIT_LENGTH: f64 = 4e-15;
 /// The laws of the samples at every given direction, and energy, whose integrals come with theirs.
 pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     for (index, wo) in directions().into_iter().enumerate() {
-        let mut random = Random::new(index as u64);
+        // Seeds of their own, so that the tests of a run are independent, as Sidak's correction takes them to be.
+        let mut random = Random::new(subject.seed() ^ index as u64);
         let pilots = pilot_samples(subject, wo, &mut random, tallies);
         let partition = Partition::new(subject, wo, &pilots);
         let w: Vec3<f64> = wo.into();
@@ -57,7 +58,15 @@ pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
             },
             CELL_TOLERANCE,
         );
-        goodness_of_fit(subject, wo, plan, &partition, &integrals, &mut random, tallies);
+        goodness_of_fit(
+            subject,
+            wo,
+            plan,
+            &partition,
+            &integrals,
+            &mut random,
+            tallies,
+        );
         let total = CellIntegral::sum(&integrals);
         means(subject, wo, plan, &total, &mut random, tallies);
         let [_, _, _, _, back @ ..] = total.value;
@@ -123,7 +132,12 @@ fn check_sample(
     let pdf_error = relative_difference(sample.pdf, pdf);
     tallies.record(LawId::Weight, pdf_error, SAME, witness);
     for ((sampled, value), weight) in sample.f.0.into_iter().zip(f.0).zip(sample.weight().0) {
-        tallies.record(LawId::Weight, relative_difference(sampled, value), SAME, witness);
+        tallies.record(
+            LawId::Weight,
+            relative_difference(sampled, value),
+            SAME,
+            witness,
+        );
         // weight * pdf = f |cos|, with the model's own pdf and f.
         let weighted = relative_difference(weight * pdf, value * wi.z.abs());
         tallies.record(LawId::Weight, weighted, SAME, witness);
@@ -150,7 +164,7 @@ fn goodness_of_fit(
         .collect();
     let expected = integrals
         .iter()
-        .map(|integral| pdf_of(integral))
+        .map(pdf_of)
         .chain(deltas.iter().map(|(_, probability)| *probability));
     let mut bins: Vec<(f64, f64)> = expected.map(|share| (0.0, share * f64::from(n))).collect();
     let sum: f64 = bins.iter().map(|(_, expected)| expected).sum();
@@ -171,7 +185,12 @@ fn goodness_of_fit(
         // A p-value of 0 has no logarithm; beyond 300 digits nothing is told apart.
         let digits = |p: f64| -p.max(1e-300).log10();
         let witness = || subject.witness(&[("wo", wo)]);
-        tallies.record(LawId::Sampling, digits(p), digits(sidak(plan.tests)), witness);
+        tallies.record(
+            LawId::Sampling,
+            digits(p),
+            digits(sidak(plan.tests)),
+            witness,
+        );
     }
 }
 
@@ -195,19 +214,32 @@ fn means(
     let mut expected = [pdf, r, g, b];
     for delta in subject.double.deltas(wo.into()).into_iter().flatten() {
         let [r, g, b] = delta.weight.0;
-        expected.iter_mut().zip([0.0, r, g, b]).for_each(|(sum, x)| *sum += x);
+        expected
+            .iter_mut()
+            .zip([0.0, r, g, b])
+            .for_each(|(sum, x)| *sum += x);
     }
-    let channels = found.mean.into_iter().zip(found.variance).zip(found.largest).zip(expected);
+    let channels = found
+        .mean
+        .into_iter()
+        .zip(found.variance)
+        .zip(found.largest)
+        .zip(expected);
     for (channel, (((mean, variance), largest), expected)) in channels.enumerate() {
-        let law = if channel == 0 { LawId::PdfIntegral } else { LawId::MeanWeight };
+        let law = if channel == 0 {
+            LawId::PdfIntegral
+        } else {
+            LawId::MeanWeight
+        };
         // Rounding of a mean of n numbers and of the weights themselves, where nothing else is left.
         let rounding = 1e-9 * expected.abs();
-        let error = STANDARD_ERRORS * variance.sqrt()
-            + UNSEEN / found.n * largest
-            + total.error
-            + rounding;
+        let error =
+            STANDARD_ERRORS * variance.sqrt() + UNSEEN / found.n * largest + total.error + rounding;
         let witness = || {
-            format!("{}: mean {mean}, integral {expected}", subject.witness(&[("wo", wo)]))
+            format!(
+                "{}: mean {mean}, integral {expected}",
+                subject.witness(&[("wo", wo)])
+            )
         };
         tallies.record(law, (mean - expected).abs(), error, witness);
     }
@@ -250,7 +282,11 @@ impl Stratified {
 
     fn add(&mut self, a: [f64; 4], b: [f64; 4]) {
         let n = self.n;
-        let slots = self.mean.iter_mut().zip(&mut self.variance).zip(&mut self.largest);
+        let slots = self
+            .mean
+            .iter_mut()
+            .zip(&mut self.variance)
+            .zip(&mut self.largest);
         for (((mean, variance), largest), (a, b)) in slots.zip(a.into_iter().zip(b)) {
             *mean += (a + b) / n;
             *variance += (a - b) * (a - b) / (n * n);

@@ -74,14 +74,22 @@ impl Subject {
         self.lobes.iter().any(|lobe| lobe.category == category)
     }
 
+    /// A seed that depends on model and parameters only: the FNV-1a hash of the name.
+    pub(super) fn seed(&self) -> u64 {
+        self.name
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+            })
+    }
+
     /// The witness of a comparison at these directions.
     pub(super) fn witness(&self, directions: &[(&str, DVec3)]) -> String {
-        let mut text = self.name.clone();
-        for (name, w) in directions {
+        let places = directions.iter().map(|(name, w)| {
             let (theta, phi) = (frame::theta(*w).to_degrees(), frame::phi(*w).to_degrees());
-            text.push_str(&format!(" {name} ({theta:.7}, {phi:.7})"));
-        }
-        text
+            format!(" {name} ({theta:.7}, {phi:.7})")
+        });
+        std::iter::once(self.name.clone()).chain(places).collect()
     }
 }
 

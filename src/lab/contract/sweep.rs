@@ -166,10 +166,8 @@ mod tests {
             }
         }
         let metal = parameter_sets(models::find("rough_conductor").unwrap());
-        assert!(
-            metal.iter().any(|set| set.choice("fresnel") == "one"
-                && set.number("alpha_x") == 1e-4
-                && set.number("alpha_y") == 1.0)
-        );
+        assert!(metal.iter().any(|set| set.choice("fresnel") == "one"
+            && set.number("alpha_x") == 1e-4
+            && set.number("alpha_y") == 1.0));
     }
 }

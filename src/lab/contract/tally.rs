@@ -21,8 +21,8 @@ impl Default for Tallies {
 }
 
 impl Tallies {
-    /// Counts one comparison of `law`: it holds where `deviation` <= `error`, both not negative; a deviation that is no
-    /// number breaks it. `witness` says where, should it be the worst.
+    /// Counts one comparison of `law`: it holds where `deviation` <= `error`, both not negative; a deviation that is not
+    /// finite breaks it, whatever the error. `witness` says where, should it be the worst.
     pub fn record(
         &mut self,
         law: LawId,
@@ -45,7 +45,7 @@ impl Tallies {
             report.error = error;
             report.witness = witness();
         }
-        if deviation > error {
+        if deviation.is_infinite() || error.is_nan() || deviation > error {
             report.status = Status::Violated;
         }
     }
@@ -65,6 +65,8 @@ impl Tallies {
 fn ratio(deviation: f64, error: f64) -> f64 {
     if deviation == 0.0 {
         0.0
+    } else if deviation.is_infinite() || error.is_nan() {
+        f64::INFINITY
     } else {
         deviation / error
     }
@@ -83,6 +85,8 @@ mod tests {
             });
         }
         tallies.record(LawId::Finite, f64::NAN, 1.0, String::new);
+        tallies.record(LawId::Weight, f64::INFINITY, f64::INFINITY, String::new);
+        tallies.record(LawId::Deltas, 0.0, f64::NAN, String::new);
         tallies.require(LawId::Support, true, String::new);
         tallies.require(LawId::Support, false, || "here".to_owned());
         let reports: Vec<LawReport> = tallies.into_reports().collect();
@@ -99,6 +103,8 @@ mod tests {
         );
         assert_eq!(of(LawId::Energy).status, Status::Ok);
         assert_eq!(of(LawId::Finite).status, Status::Violated);
+        assert_eq!(of(LawId::Weight).status, Status::Violated);
+        assert_eq!(of(LawId::Deltas).status, Status::Violated);
         assert_eq!(of(LawId::Support).witness, "here");
         assert_eq!(of(LawId::Support).status, Status::Violated);
     }

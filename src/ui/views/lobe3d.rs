@@ -25,6 +25,8 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
     show,
 };
 
+/// The largest radius of the lobe: a little less than the dome's, or the two surfaces would flicker into each other.
+const LOBE_RADIUS: f64 = 0.96;
 /// Where axes end, beyond the unit dome.
 const AXIS_LENGTH: f32 = 1.22;
 /// How high the view's centre lies when nothing is below the surface: the upper half then fills the view.
@@ -156,7 +158,7 @@ fn add_lobe(scene: &mut Scene, mesh: &Mesh, session: &Session) {
     let peak = peak(mesh, session);
     let radii: Vec<f64> =
         mesh.vertices.iter().map(|v| session.scale.radius(shown(session, v.direction, v.value), peak)).collect();
-    let tips: Vec<Vec3> = mesh.vertices.iter().zip(&radii).map(|(v, radius)| (v.direction * *radius).as_vec3()).collect();
+    let tips: Vec<Vec3> = mesh.vertices.iter().zip(&radii).map(|(v, radius)| (v.direction * (LOBE_RADIUS * radius)).as_vec3()).collect();
     let tip = |index: u32| tips.get(index as usize).copied().unwrap_or_default();
     // Degenerate triangles about the centre show nothing and would spoil the normals.
     let triangles: Vec<[u32; 3]> =
@@ -362,7 +364,8 @@ fn lobe_hit(ray: &Ray, mesh: &Mesh, session: &Session) -> Option<DVec3> {
     let peak = peak(mesh, session);
     let tip = |index: u32| {
         let vertex = mesh.vertices.get(index as usize)?;
-        Some(vertex.direction * session.scale.radius(shown(session, vertex.direction, vertex.value), peak))
+        let radius = session.scale.radius(shown(session, vertex.direction, vertex.value), peak);
+        Some(vertex.direction * (LOBE_RADIUS * radius))
     };
     let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
     let distance = |[a, b, c]: [u32; 3]| {

@@ -281,7 +281,7 @@ impl Canvas<'_> {
             let (from, to) = (self.position(0.0, 0.0), self.position(share, angle));
             draw::arrow(&painter, from, to, palette.delta);
             // Beside a long arrow, beyond the tip of a short one: either way clear of the horizon's numbers.
-            let place = if share > 0.4 { self.position(0.6 * share, angle) } else { self.position(share + 0.2, angle) };
+            let place = if share > 0.4 { self.position(0.45 * share, angle) } else { self.position(share + 0.2, angle) };
             let outwards = vec2(if angle > 0.0 { 10.0 } else { -10.0 }, 0.0);
             let anchor = if angle > 0.0 { Align2::LEFT_CENTER } else { Align2::RIGHT_CENTER };
             let text = format!("delta {share:.3}");

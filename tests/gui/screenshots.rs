@@ -1,0 +1,78 @@
+//! Pictures of the window and of each view, one model per category, dark and light.
+//!
+//! They are compared on the software driver only: other adapters round differently. Set `UPDATE_SNAPSHOTS=1` to
+//! accept new ones, and look at each.
+
+use brdf_explorer::ui::views::VIEWS;
+use eframe::egui_wgpu::wgpu;
+use egui::Theme;
+use egui_kittest::{SnapshotOptions, SnapshotResults, try_image_snapshot_options};
+
+use super::picture;
+
+/// One model of each category, with parameters that show it well.
+const MODELS: [(&str, &str); 4] = [
+    ("diffuse", "oren_nayar:sigma=30"),
+    ("glossy_specular", "rough_conductor:alpha_x=0.1,alpha_y=0.3"),
+    ("perfect_specular", "fresnel_specular"),
+    ("retro_reflective", "retro_reflector"),
+];
+
+/// The limit on the stored pictures, all together.
+const MAX_BYTES: u64 = 8 << 20;
+
+/// Colour differences up to this go unseen (the scale of dify's YIQ distance); versions of the driver differ by less.
+const THRESHOLD: f32 = 1.0;
+
+/// Pixels on the edge of a line may fall either way between versions of the driver.
+const MAX_FAILED_PIXELS: usize = 10;
+
+const THEMES: [(&str, Theme); 2] = [("dark", Theme::Dark), ("light", Theme::Light)];
+
+fn is_software_driver() -> bool {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
+    adapters.iter().any(|adapter| adapter.get_info().device_type == wgpu::DeviceType::Cpu)
+}
+
+fn compare(results: &mut SnapshotResults, name: &str, material: &str, view: Option<&str>, size: [u32; 2], theme: Theme) {
+    let image = picture(material, view, size, theme).render().unwrap();
+    assert_eq!([image.width(), image.height()], size);
+    let options = SnapshotOptions::new().threshold(THRESHOLD).max_failed_pixels(MAX_FAILED_PIXELS);
+    results.add(try_image_snapshot_options(&image, name, &options));
+}
+
+#[test]
+fn pictures_are_as_stored() {
+    if !is_software_driver() {
+        println!("no software driver: the stored pictures are not compared");
+        return;
+    }
+    let mut results = SnapshotResults::new();
+    for (theme_name, theme) in THEMES {
+        compare(&mut results, &format!("window_{theme_name}"), "rough_conductor", None, [1280, 800], theme);
+        for view in &VIEWS {
+            for (category, material) in MODELS {
+                let name = format!("{}_{category}_{theme_name}", view.id);
+                compare(&mut results, &name, material, Some(view.id), [480, 360], theme);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_stored_pictures_are_one_per_view_model_and_theme() {
+    let mut bytes = 0;
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir("tests/snapshots").unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        // What a failing comparison leaves beside them does not count.
+        if !name.ends_with(".diff.png") && !name.ends_with(".new.png") && !name.ends_with(".old.png") {
+            bytes += entry.metadata().unwrap().len();
+            names.push(name);
+        }
+    }
+    assert_eq!(names.len(), THEMES.len() * (1 + VIEWS.len() * MODELS.len()), "{names:?}");
+    assert!(bytes <= MAX_BYTES, "{bytes} bytes");
+}
