@@ -74,7 +74,7 @@ const MAX_POINTS: usize = 20_000;
 /// The section of `lobe` that `request` asks for.
 ///
 /// The points are a uniform grid and the angles of the lobe's own samples, halved while the midpoint leaves the chord:
-/// the largest value is within [`CHORD_TOLERANCE`] of the lobe's largest in the section, however narrow the lobe.
+/// the largest value is within a thousandth of the lobe's largest in the section, however narrow the lobe.
 #[must_use]
 pub fn section(lobe: &Lobe<'_>, request: &Request) -> Section {
     let held = signed_angle(lobe.held(), request.phi);
@@ -220,9 +220,9 @@ mod tests {
         for _ in 0..60 {
             let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
             if value(a) > value(b) {
-                high = b
+                high = b;
             } else {
-                low = a
+                low = a;
             }
         }
         value(f64::midpoint(low, high)).max(value(best))

@@ -3,11 +3,11 @@
 use egui::{CentralPanel, Panel, RichText, ScrollArea, ThemePreference, Ui};
 
 use super::data::{Clock, Data};
+use super::scene3d;
 use super::session::{Curves, DECADES, Session};
 use super::theme::{self, Palette};
 use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
 use super::widgets::{directions, params, picker, status};
-use super::scene3d;
 use crate::analysis::RadialScale;
 
 /// The line that says what to try first.
@@ -38,7 +38,13 @@ impl App {
         if let Some(render_state) = &cc.wgpu_render_state {
             scene3d::init(render_state);
         }
-        Self { session, data: Data::new(clock), state: ViewState::default(), cursor: None, only }
+        Self {
+            session,
+            data: Data::new(clock),
+            state: ViewState::default(),
+            cursor: None,
+            only,
+        }
     }
 
     fn show_view(&mut self, ui: &mut Ui, view: &ViewSpec, palette: &Palette) {
@@ -53,17 +59,20 @@ impl App {
     }
 
     fn show_side(&mut self, ui: &mut Ui) {
-        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            ui.add_space(4.0);
-            picker::show(ui, &mut self.session.material);
-            ui.separator();
-            let model = self.session.material.model();
-            ui.label(RichText::new(model.title).strong()).on_hover_text(model.source);
-            ui.label(RichText::new(model.summary).small());
-            ui.add_space(2.0);
-            params::show(ui, &mut self.session.material);
-            ui.add_space(4.0);
-        });
+        ScrollArea::vertical()
+            .auto_shrink([false, false])
+            .show(ui, |ui| {
+                ui.add_space(4.0);
+                picker::show(ui, &mut self.session.material);
+                ui.separator();
+                let model = self.session.material.model();
+                ui.label(RichText::new(model.title).strong())
+                    .on_hover_text(model.source);
+                ui.label(RichText::new(model.summary).small());
+                ui.add_space(2.0);
+                params::show(ui, &mut self.session.material);
+                ui.add_space(4.0);
+            });
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -80,29 +89,42 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let palette = Palette::of(ui.ctx().theme());
-        if ui.available_width() < theme::USABLE_SIZE.x || ui.available_height() < theme::USABLE_SIZE.y {
-            if self.only.is_none() {
-                CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
-                return;
-            }
+        let is_small = ui.available_size().min(theme::USABLE_SIZE) != theme::USABLE_SIZE;
+        if is_small && self.only.is_none() {
+            CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
+            return;
         }
         self.data.begin_frame();
         let before = self.cursor.take();
         if let Some(view) = self.only {
             let frame = egui::Frame::NONE.fill(palette.background);
-            CentralPanel::no_frame().frame(frame).show(ui, |ui| self.show_view(ui, view, &palette));
+            CentralPanel::no_frame()
+                .frame(frame)
+                .show(ui, |ui| self.show_view(ui, view, &palette));
             return;
         }
         Panel::top("top").show(ui, |ui| display_options(ui, &mut self.session));
         Panel::bottom("status").show(ui, |ui| {
             let shares = self.data.shares(&self.session);
             // Panels are drawn before the views: the line shows the pointer of the frame before.
-            status::show(ui, &self.session, before.as_ref(), &shares, self.data.last_update, &palette);
+            status::show(
+                ui,
+                &self.session,
+                before.as_ref(),
+                &shares,
+                self.data.last_update,
+                &palette,
+            );
         });
-        Panel::left("side").resizable(false).exact_size(theme::SIDE_WIDTH).show(ui, |ui| self.show_side(ui));
+        Panel::left("side")
+            .resizable(false)
+            .exact_size(theme::SIDE_WIDTH)
+            .show(ui, |ui| self.show_side(ui));
         Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
-        CentralPanel::no_frame().frame(frame).show(ui, |ui| self.show_views(ui, &palette));
+        CentralPanel::no_frame()
+            .frame(frame)
+            .show(ui, |ui| self.show_views(ui, &palette));
         if self.cursor != before {
             ui.ctx().request_repaint();
         }
@@ -121,15 +143,21 @@ fn display_options(ui: &mut Ui, session: &mut Session) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Radius");
         let mut is_logarithmic = session.scale.is_logarithmic();
-        ui.selectable_value(&mut is_logarithmic, false, "Linear").on_hover_text("Lengths in proportion to f");
+        ui.selectable_value(&mut is_logarithmic, false, "Linear")
+            .on_hover_text("Lengths in proportion to f");
         ui.selectable_value(&mut is_logarithmic, true, "Logarithmic")
             .on_hover_text("Lengths by decades below the peak: shows the tails of a narrow lobe");
         if is_logarithmic != session.scale.is_logarithmic() {
-            session.scale =
-                if is_logarithmic { RadialScale::Logarithmic { decades: DECADES } } else { RadialScale::Linear };
+            session.scale = if is_logarithmic {
+                RadialScale::Logarithmic { decades: DECADES }
+            } else {
+                RadialScale::Linear
+            };
         }
         ui.checkbox(&mut session.with_cosine, "Times cos θ")
-            .on_hover_text("Show f |cos θ| of the free direction: the flux, rather than the radiance");
+            .on_hover_text(
+                "Show f |cos θ| of the free direction: the flux, rather than the radiance",
+            );
         ui.separator();
         ui.label("Curves");
         ui.selectable_value(&mut session.curves, Curves::Luminance, "Luminance");
@@ -158,15 +186,20 @@ fn section(ui: &mut Ui, session: &mut Session) {
     let mut is_free = session.section_phi_deg.is_some();
     ui.selectable_value(&mut is_free, false, "Incidence plane")
         .on_hover_text("The polar plot cuts the lobe along the plane of the held direction and n");
-    ui.selectable_value(&mut is_free, true, "Azimuth").on_hover_text("The polar plot cuts the lobe along any azimuth");
+    ui.selectable_value(&mut is_free, true, "Azimuth")
+        .on_hover_text("The polar plot cuts the lobe along any azimuth");
     match (is_free, session.section_phi_deg) {
         (true, None) => session.section_phi_deg = Some(session.section_azimuth_deg()),
         (false, Some(_)) => session.section_phi_deg = None,
         _ => {}
     }
     if let Some(phi) = &mut session.section_phi_deg {
-        let field = egui::DragValue::new(phi).range(-90.0..=90.0).suffix("°").speed(1.0);
+        let field = egui::DragValue::new(phi)
+            .range(-90.0..=90.0)
+            .suffix("°")
+            .speed(1.0);
         let response = ui.add(field).on_hover_text("Azimuth of the section from s");
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Section azimuth"));
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label("Section azimuth"));
     }
 }

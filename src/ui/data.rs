@@ -39,7 +39,10 @@ impl Data {
     /// No data yet; `clock` measures the updates.
     #[must_use]
     pub fn new(clock: Option<Clock>) -> Self {
-        Self { clock, ..Self::default() }
+        Self {
+            clock,
+            ..Self::default()
+        }
     }
 
     /// The surface: the session's material, turned about n.
@@ -52,7 +55,12 @@ impl Data {
     }
 
     fn held_key(&self, session: &Session) -> HeldKey {
-        (self.surface.version(), session.hold, session.theta_deg, session.phi_deg)
+        (
+            self.surface.version(),
+            session.hold,
+            session.theta_deg,
+            session.phi_deg,
+        )
     }
 
     /// The section that the polar plot shows.
@@ -60,8 +68,18 @@ impl Data {
         self.timed(|data| {
             let surface = data.surface(session);
             let request = section_request(session);
-            let key = (data.held_key(session), request.phi, request.with_cosine, request.scale);
-            data.section.get(key, || polar::section(&Lobe::new(&**surface, session.hold, session.held()), &request))
+            let key = (
+                data.held_key(session),
+                request.phi,
+                request.with_cosine,
+                request.scale,
+            );
+            data.section.get(key, || {
+                polar::section(
+                    &Lobe::new(&**surface, session.hold, session.held()),
+                    &request,
+                )
+            })
         })
     }
 
@@ -69,9 +87,17 @@ impl Data {
     pub fn mesh(&mut self, session: &Session) -> Arc<lobe3d::Mesh> {
         self.timed(|data| {
             let surface = data.surface(session);
-            let request = lobe3d::Request { scale: session.scale, with_cosine: session.with_cosine };
+            let request = lobe3d::Request {
+                scale: session.scale,
+                with_cosine: session.with_cosine,
+            };
             let key = (data.held_key(session), request.with_cosine, request.scale);
-            data.mesh.get(key, || lobe3d::mesh(&Lobe::new(&**surface, session.hold, session.held()), &request))
+            data.mesh.get(key, || {
+                lobe3d::mesh(
+                    &Lobe::new(&**surface, session.hold, session.held()),
+                    &request,
+                )
+            })
         })
     }
 
@@ -85,7 +111,9 @@ impl Data {
     pub fn arrows(&mut self, session: &Session) -> Arc<Vec<Arrow>> {
         let surface = self.surface(session);
         let key = self.held_key(session);
-        self.arrows.get(key, || Lobe::new(&**surface, session.hold, session.held()).arrows())
+        self.arrows.get(key, || {
+            Lobe::new(&**surface, session.hold, session.held()).arrows()
+        })
     }
 
     /// What becomes of light arriving along the held direction.
@@ -93,7 +121,9 @@ impl Data {
         self.timed(|data| {
             let surface = data.surface(session);
             let key = data.held_key(session);
-            data.shares.get(key, || directional_hemispherical(&**surface, session.held(), SHARE_TOLERANCE))
+            data.shares.get(key, || {
+                directional_hemispherical(&**surface, session.held(), SHARE_TOLERANCE)
+            })
         })
     }
 

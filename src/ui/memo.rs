@@ -11,7 +11,10 @@ pub struct Memo<K, V> {
 
 impl<K, V> Default for Memo<K, V> {
     fn default() -> Self {
-        Self { last: None, version: 0 }
+        Self {
+            last: None,
+            version: 0,
+        }
     }
 }
 

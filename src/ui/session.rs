@@ -89,18 +89,35 @@ impl Session {
     /// [`Error::Parse`] where the text is no session or an angle is out of range.
     pub fn from_toml(text: &str, place: &str) -> Result<Self> {
         let session: Self = toml::from_str(text).map_err(|error| {
-            let line = error.span().map_or(1, |span| text.get(..span.start).unwrap_or_default().lines().count().max(1));
-            Error::parse(format!("{place}: line {line}"), error.message().replace('\n', " "))
+            let line = error.span().map_or(1, |span| {
+                text.get(..span.start)
+                    .unwrap_or_default()
+                    .lines()
+                    .count()
+                    .max(1)
+            });
+            Error::parse(
+                format!("{place}: line {line}"),
+                error.message().replace('\n', " "),
+            )
         })?;
         let angles = [
             ("theta_deg", session.theta_deg, 0.0, 180.0),
             ("phi_deg", session.phi_deg, -360.0, 360.0),
             ("rotation_deg", session.rotation_deg, -360.0, 360.0),
-            ("section_phi_deg", session.section_phi_deg.unwrap_or(0.0), -360.0, 360.0),
+            (
+                "section_phi_deg",
+                session.section_phi_deg.unwrap_or(0.0),
+                -360.0,
+                360.0,
+            ),
         ];
         for (name, value, min, max) in angles {
             if !(min..=max).contains(&value) {
-                return Err(Error::parse(place, format!("{name} = {value}: allowed is {min} to {max} degrees")));
+                return Err(Error::parse(
+                    place,
+                    format!("{name} = {value}: allowed is {min} to {max} degrees"),
+                ));
             }
         }
         Ok(session)
@@ -143,7 +160,9 @@ impl Session {
     #[must_use]
     pub fn section_holds_held(&self) -> bool {
         let difference = (self.phi_deg - self.section_azimuth_deg()).rem_euclid(180.0);
-        self.theta_deg == 0.0 || self.theta_deg == 180.0 || difference.min(180.0 - difference) < 1e-9
+        self.theta_deg == 0.0
+            || self.theta_deg == 180.0
+            || difference.min(180.0 - difference) < 1e-9
     }
 
     /// The name of the held direction.
@@ -178,7 +197,10 @@ mod tests {
     fn broken_sessions_name_the_line() {
         for (text, expected) in [
             ("hold = \"light\"\ntheta_deg = \"steep\"", "s.toml: line 2"),
-            ("theta_deg = 200.0", "theta_deg = 200: allowed is 0 to 180 degrees"),
+            (
+                "theta_deg = 200.0",
+                "theta_deg = 200: allowed is 0 to 180 degrees",
+            ),
             ("material = \"gold\"", "unknown model 'gold'"),
             ("flavour = 1", "unknown field"),
         ] {
@@ -192,7 +214,14 @@ mod tests {
         let mut session = Session::default();
         assert_eq!(session.section_azimuth_deg(), 0.0);
         session.set_held(frame::direction_from_degrees(20.0, 0.0));
-        assert_eq!((session.theta_deg, session.phi_deg, session.section_azimuth_deg()), (20.0, 0.0, 0.0));
+        assert_eq!(
+            (
+                session.theta_deg,
+                session.phi_deg,
+                session.section_azimuth_deg()
+            ),
+            (20.0, 0.0, 0.0)
+        );
         session.set_held(DVec3::Z);
         assert_eq!(session.phi_deg, 0.0);
         session.phi_deg = -90.0;

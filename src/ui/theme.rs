@@ -71,7 +71,10 @@ pub struct Palette {
 }
 
 const fn rgb([r, g, b]: [u8; 3]) -> Color32 {
-    #[expect(clippy::disallowed_methods, reason = "this is the file where colours live")]
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "this is the file where colours live"
+    )]
     Color32::from_rgb(r, g, b)
 }
 
@@ -160,7 +163,10 @@ impl Palette {
 #[must_use]
 pub fn fill_of(color: Color32) -> Color32 {
     let [r, g, b, _] = color.to_array();
-    #[expect(clippy::disallowed_methods, reason = "this is the file where colours live")]
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "this is the file where colours live"
+    )]
     Color32::from_rgba_unmultiplied(r, g, b, FILL_ALPHA)
 }
 
@@ -201,7 +207,11 @@ pub fn curve(color: Color32) -> Stroke {
 pub fn apply(ctx: &egui::Context) {
     let mut fonts = egui::FontDefinitions::default();
     // The arrows and mathematical signs that the text font lacks.
-    fonts.families.entry(FontFamily::Proportional).or_default().push("Hack".to_owned());
+    fonts
+        .families
+        .entry(FontFamily::Proportional)
+        .or_default()
+        .push("Hack".to_owned());
     ctx.set_fonts(fonts);
     ctx.all_styles_mut(|style| {
         let font = |size: f32| FontId::new(size, FontFamily::Proportional);

@@ -19,15 +19,26 @@ pub fn run() -> Result<()> {
         .with_app_id("brdf-explorer")
         .with_inner_size(theme::WINDOW_SIZE)
         .with_min_inner_size(theme::MIN_WINDOW_SIZE);
-    let options = eframe::NativeOptions { viewport, ..Default::default() };
+    let options = eframe::NativeOptions {
+        viewport,
+        ..Default::default()
+    };
     eframe::run_native(
         "brdf-explorer",
         options,
-        Box::new(|cc| Ok(Box::new(App::new(cc, Session::default(), None, Some(seconds))))),
+        Box::new(|cc| {
+            Ok(Box::new(App::new(
+                cc,
+                Session::default(),
+                None,
+                Some(seconds),
+            )))
+        }),
     )
     .map_err(|error| Error::Platform {
         problem: format!("the window cannot be opened: {error}"),
-        remedy: "without a display, 'brdf-explorer render -o out.png' draws it to a file".to_owned(),
+        remedy: "without a display, 'brdf-explorer render -o out.png' draws it to a file"
+            .to_owned(),
     })
 }
 
@@ -35,7 +46,10 @@ pub fn run() -> Result<()> {
 fn seconds() -> f64 {
     use std::sync::OnceLock;
     static START: OnceLock<web_time::Instant> = OnceLock::new();
-    START.get_or_init(web_time::Instant::now).elapsed().as_secs_f64()
+    START
+        .get_or_init(web_time::Instant::now)
+        .elapsed()
+        .as_secs_f64()
 }
 
 /// On systems that name their display in the environment: one must be named.

@@ -7,7 +7,8 @@ struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("brdf-explorer-{name}-{}", std::process::id()));
+        let path =
+            std::env::temp_dir().join(format!("brdf-explorer-{name}-{}", std::process::id()));
         std::fs::create_dir_all(&path).unwrap();
         Self(path)
     }
@@ -40,12 +41,26 @@ fn two_runs_give_the_same_bytes_in_the_size_asked_for() {
     let folder = Folder::new("render");
     let bytes = ["a.png", "b.png"].map(|name| {
         let file = folder.file(name);
-        let output = program(&["render", "--material", "oren_nayar:sigma=30", "--direction", "35,120", "--hold", "wo"])
-            .args(["--size", "700x500", "--scale", "1.5", "--theme", "light", "-o"])
-            .arg(&file)
-            .output()
-            .unwrap();
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let output = program(&[
+            "render",
+            "--material",
+            "oren_nayar:sigma=30",
+            "--direction",
+            "35,120",
+            "--hold",
+            "wo",
+        ])
+        .args([
+            "--size", "700x500", "--scale", "1.5", "--theme", "light", "-o",
+        ])
+        .arg(&file)
+        .output()
+        .unwrap();
+        assert!(
+            output.status.success(),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         std::fs::read(file).unwrap()
     });
     assert!(bytes[0] == bytes[1], "the two pictures differ");
@@ -57,7 +72,11 @@ fn two_runs_give_the_same_bytes_in_the_size_asked_for() {
 fn a_session_file_is_drawn() {
     let folder = Folder::new("session");
     let (session, picture) = (folder.file("s.toml"), folder.file("s.png"));
-    std::fs::write(&session, "material = \"retro_reflector\"\ntheta_deg = 30.0\nshow_geometry = true\n").unwrap();
+    std::fs::write(
+        &session,
+        "material = \"retro_reflector\"\ntheta_deg = 30.0\nshow_geometry = true\n",
+    )
+    .unwrap();
     let draw = |arguments: &[&str]| {
         let output = program(&["render", "--size", "400x300"])
             .args(arguments)
@@ -73,7 +92,11 @@ fn a_session_file_is_drawn() {
     assert!(output.status.success() && !whole.is_empty());
     let (_, one_view) = draw(&["--view", "polar"]);
     assert!(one_view != whole);
-    std::fs::write(&session, "material = \"retro_reflector\"\ntheta_deg = \"low\"\n").unwrap();
+    std::fs::write(
+        &session,
+        "material = \"retro_reflector\"\ntheta_deg = \"low\"\n",
+    )
+    .unwrap();
     std::fs::remove_file(&picture).unwrap();
     let (output, left) = draw(&[]);
     refused(&output, "line 2");
@@ -85,8 +108,16 @@ fn no_window_is_too_small_or_too_flat() {
     let folder = Folder::new("small");
     for size in ["1x1", "64x64", "300x200", "420x260", "760x480", "3000x100"] {
         for view in [&[][..], &["--view", "polar"], &["--view", "lobe3d"]] {
-            let output = program(&["render", "--size", size, "-o"]).arg(folder.file("x.png")).args(view).output().unwrap();
-            assert!(output.status.success(), "{size} {view:?}: {}", String::from_utf8_lossy(&output.stderr));
+            let output = program(&["render", "--size", size, "-o"])
+                .arg(folder.file("x.png"))
+                .args(view)
+                .output()
+                .unwrap();
+            assert!(
+                output.status.success(),
+                "{size} {view:?}: {}",
+                String::from_utf8_lossy(&output.stderr)
+            );
         }
     }
 }
@@ -96,16 +127,32 @@ fn bad_requests_are_one_line_each() {
     let folder = Folder::new("refused");
     let file = folder.file("x.png");
     let run = |arguments: &[&str]| {
-        let output = program(&["render"]).args(arguments).arg("-o").arg(&file).output().unwrap();
+        let output = program(&["render"])
+            .args(arguments)
+            .arg("-o")
+            .arg(&file)
+            .output()
+            .unwrap();
         assert!(!file.exists());
         output
     };
-    refused(&run(&["--view", "pola"]), "unknown view 'pola'; nearest: polar");
+    refused(
+        &run(&["--view", "pola"]),
+        "unknown view 'pola'; nearest: polar",
+    );
     refused(&run(&["--size", "0x100"]), "each 1 to 8192");
-    refused(&run(&["--size", "5000x100", "--scale", "2"]), "the limit is 1 to 8192 to a side");
-    refused(&run(&["--material", "oren_nayar", "--material", "retro_reflector"]), "the limit is 1");
+    refused(
+        &run(&["--size", "5000x100", "--scale", "2"]),
+        "the limit is 1 to 8192 to a side",
+    );
+    refused(
+        &run(&["--material", "oren_nayar", "--material", "retro_reflector"]),
+        "the limit is 1",
+    );
     refused(&run(&["--session", "nowhere.toml"]), "nowhere.toml");
-    let unwritable = program(&["render", "--size", "64x64", "-o", "/nonexistent/x.png"]).output().unwrap();
+    let unwritable = program(&["render", "--size", "64x64", "-o", "/nonexistent/x.png"])
+        .output()
+        .unwrap();
     refused(&unwritable, "/nonexistent/x.png");
 }
 
@@ -119,7 +166,12 @@ fn a_missing_display_or_adapter_names_the_remedy() {
     refused(&window.output().unwrap(), "no display is found");
     let mut blind = program(&["render", "-o", "/tmp/never.png"]);
     // The loaders of Vulkan and EGL are told of drivers that do not exist.
-    for name in ["VK_DRIVER_FILES", "VK_ICD_FILENAMES", "__EGL_VENDOR_LIBRARY_FILENAMES", "LIBGL_DRIVERS_PATH"] {
+    for name in [
+        "VK_DRIVER_FILES",
+        "VK_ICD_FILENAMES",
+        "__EGL_VENDOR_LIBRARY_FILENAMES",
+        "LIBGL_DRIVERS_PATH",
+    ] {
         blind.env(name, "/nonexistent");
     }
     refused(&blind.output().unwrap(), "install a Vulkan driver");

@@ -32,13 +32,24 @@ const THEMES: [(&str, Theme); 2] = [("dark", Theme::Dark), ("light", Theme::Ligh
 fn is_software_driver() -> bool {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
-    adapters.iter().any(|adapter| adapter.get_info().device_type == wgpu::DeviceType::Cpu)
+    adapters
+        .iter()
+        .any(|adapter| adapter.get_info().device_type == wgpu::DeviceType::Cpu)
 }
 
-fn compare(results: &mut SnapshotResults, name: &str, material: &str, view: Option<&str>, size: [u32; 2], theme: Theme) {
+fn compare(
+    results: &mut SnapshotResults,
+    name: &str,
+    material: &str,
+    view: Option<&str>,
+    size: [u32; 2],
+    theme: Theme,
+) {
     let image = picture(material, view, size, theme).render().unwrap();
     assert_eq!([image.width(), image.height()], size);
-    let options = SnapshotOptions::new().threshold(THRESHOLD).max_failed_pixels(MAX_FAILED_PIXELS);
+    let options = SnapshotOptions::new()
+        .threshold(THRESHOLD)
+        .max_failed_pixels(MAX_FAILED_PIXELS);
     results.add(try_image_snapshot_options(&image, name, &options));
 }
 
@@ -50,11 +61,25 @@ fn pictures_are_as_stored() {
     }
     let mut results = SnapshotResults::new();
     for (theme_name, theme) in THEMES {
-        compare(&mut results, &format!("window_{theme_name}"), "rough_conductor", None, [1280, 800], theme);
+        compare(
+            &mut results,
+            &format!("window_{theme_name}"),
+            "rough_conductor",
+            None,
+            [1280, 800],
+            theme,
+        );
         for view in &VIEWS {
             for (category, material) in MODELS {
                 let name = format!("{}_{category}_{theme_name}", view.id);
-                compare(&mut results, &name, material, Some(view.id), [480, 360], theme);
+                compare(
+                    &mut results,
+                    &name,
+                    material,
+                    Some(view.id),
+                    [480, 360],
+                    theme,
+                );
             }
         }
     }
@@ -68,11 +93,18 @@ fn the_stored_pictures_are_one_per_view_model_and_theme() {
         let entry = entry.unwrap();
         let name = entry.file_name().into_string().unwrap();
         // What a failing comparison leaves beside them does not count.
-        if !name.ends_with(".diff.png") && !name.ends_with(".new.png") && !name.ends_with(".old.png") {
+        if !name.ends_with(".diff.png")
+            && !name.ends_with(".new.png")
+            && !name.ends_with(".old.png")
+        {
             bytes += entry.metadata().unwrap().len();
             names.push(name);
         }
     }
-    assert_eq!(names.len(), THEMES.len() * (1 + VIEWS.len() * MODELS.len()), "{names:?}");
+    assert_eq!(
+        names.len(),
+        THEMES.len() * (1 + VIEWS.len() * MODELS.len()),
+        "{names:?}"
+    );
     assert!(bytes <= MAX_BYTES, "{bytes} bytes");
 }

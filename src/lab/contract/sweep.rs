@@ -33,7 +33,7 @@ pub fn directions() -> Vec<DVec3> {
 }
 
 /// The parameters a model is checked at: its defaults; all colours 0; all colours 1 with every word of every choice; and
-/// with each of those words the ends of every number's ranges and the widths of [`ALPHA_PAIRS`].
+/// with each of those words the ends of every number's ranges and the widths of `ALPHA_PAIRS`.
 ///
 /// Combinations that the model refuses are left out, and those that differ only in a parameter without effect.
 #[must_use]

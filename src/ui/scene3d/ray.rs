@@ -60,7 +60,7 @@ mod tests {
     fn ray_to(point: Vec3) -> Ray {
         Ray {
             origin: EYE,
-            direction: (point - EYE).normalize(),
+            direction: (point - EYE).normalize_or_zero(),
         }
     }
 

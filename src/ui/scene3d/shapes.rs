@@ -284,7 +284,7 @@ mod tests {
     fn arrow_stays_between_its_ends_at_any_length() {
         for length in [1e-4, 0.05, 1.0, 50.0] {
             let mut scene = Scene::default();
-            let direction = Vec3::new(0.3, -0.5, 0.8).normalize();
+            let direction = Vec3::new(0.3, -0.5, 0.8).normalize_or_zero();
             scene.add_arrow(Vec3::ZERO, length * direction, INK, 3.0);
             assert_eq!(scene.lines.len(), 1);
             for p in positions(&scene) {

@@ -28,7 +28,10 @@ pub static VIEWS: [ViewSpec; 2] = [polar::SPEC, lobe3d::SPEC];
 /// # Errors
 /// [`Error::UnknownId`], with the nearest ids.
 pub fn find(id: &str) -> Result<&'static ViewSpec> {
-    VIEWS.iter().find(|view| view.id == id).ok_or_else(|| Error::unknown("view", id, VIEWS.iter().map(|view| view.id)))
+    VIEWS
+        .iter()
+        .find(|view| view.id == id)
+        .ok_or_else(|| Error::unknown("view", id, VIEWS.iter().map(|view| view.id)))
 }
 
 /// What a view draws with.
@@ -48,7 +51,7 @@ pub struct ViewContext<'a> {
 /// What views keep between frames; nothing of it is worth saving.
 #[derive(Default)]
 pub struct ViewState {
-    scene: lobe3d::SceneMemo,
+    drawing: lobe3d::DrawingMemo,
 }
 
 /// A direction under the pointer, with the value of the lobe there.

@@ -45,14 +45,22 @@ fn hold(ui: &mut Ui, session: &mut Session) {
     ui.horizontal(|ui| {
         ui.label("Hold");
         ui.selectable_value(&mut session.hold, Hold::Light, "Light")
-            .on_hover_text("Hold the light (wi): the lobe shows where its light goes, f over all wo");
+            .on_hover_text(
+                "Hold the light (wi): the lobe shows where its light goes, f over all wo",
+            );
         ui.selectable_value(&mut session.hold, Hold::Viewer, "Viewer")
-            .on_hover_text("Hold the viewer (wo): the lobe shows whence light is seen, f over all wi");
+            .on_hover_text(
+                "Hold the viewer (wo): the lobe shows whence light is seen, f over all wi",
+            );
     });
 }
 
 fn angle(ui: &mut Ui, label: &str, value: &mut f64, range: RangeInclusive<f64>, hint: &str) {
-    let slider = Slider::new(value, range).suffix("°").max_decimals(4).step_by(0.1).text(label);
+    let slider = Slider::new(value, range)
+        .suffix("°")
+        .max_decimals(4)
+        .step_by(0.1)
+        .text(label);
     ui.add(slider).on_hover_text(hint);
 }
 
@@ -66,7 +74,11 @@ fn trigonometry(ui: &mut Ui, name: &str, angle_deg: f64) {
 fn cos_sin_tan(angle_deg: f64) -> [String; 3] {
     let (cos, sin) = crate::bxdf::math::frame::cos_sin_deg(angle_deg);
     let number = |x: f64| format!("{:>6.3}", x + 0.0);
-    let tangent = if cos == 0.0 { format!("{:>6}", "inf") } else { number(sin / cos) };
+    let tangent = if cos == 0.0 {
+        format!("{:>6}", "inf")
+    } else {
+        number(sin / cos)
+    };
     [number(cos), number(sin), tangent]
 }
 
@@ -76,7 +88,10 @@ mod tests {
 
     #[test]
     fn right_angles_are_exact() {
-        assert_eq!(cos_sin_tan(90.0).map(|s| s.trim().to_owned()), ["0.000", "1.000", "inf"]);
+        assert_eq!(
+            cos_sin_tan(90.0).map(|s| s.trim().to_owned()),
+            ["0.000", "1.000", "inf"]
+        );
         assert_eq!(cos_sin_tan(45.0)[2].trim(), "1.000");
     }
 }

@@ -1,12 +1,15 @@
 //! Drawing that several views share.
 
-use egui::{Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Sense, TextStyle, Ui, Role, WidgetInfo, vec2};
+use egui::{
+    Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Role, Sense, TextStyle, Ui,
+    WidgetInfo, vec2,
+};
 
 use crate::analysis::Channel;
+use crate::ui::format;
 use crate::ui::session::{Curves, Session};
 use crate::ui::theme::{HANDLE_RADIUS, Palette};
 use crate::ui::views::Cursor;
-use crate::ui::format;
 
 /// The font of labels of secondary rank.
 #[must_use]
@@ -29,12 +32,18 @@ pub fn haloed_text(
     font: FontId,
     color: Color32,
     palette: &Palette,
-) -> Rect {
+) {
     let galley = painter.layout_no_wrap(text.to_owned(), font, color);
-    let rect = inside(anchor.anchor_size(position, galley.size()), painter.clip_rect());
-    painter.rect_filled(rect.expand2(vec2(3.0, 1.0)), 3.0, palette.background.gamma_multiply(0.8));
+    let rect = inside(
+        anchor.anchor_size(position, galley.size()),
+        painter.clip_rect(),
+    );
+    painter.rect_filled(
+        rect.expand2(vec2(3.0, 1.0)),
+        3.0,
+        palette.background.gamma_multiply(0.8),
+    );
     painter.galley(rect.min, galley, color);
-    rect
 }
 
 /// `rect` moved by as little as possible to lie inside `bounds`.
@@ -52,7 +61,11 @@ pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
     let head = HEAD.min((to - from).length());
     let (base, across) = (to - along * head, along.rot90() * 0.42 * head);
     painter.line_segment([from, base], (WIDTH, color));
-    painter.add(egui::Shape::convex_polygon(vec![to, base + across, base - across], color, egui::Stroke::NONE));
+    painter.add(egui::Shape::convex_polygon(
+        vec![to, base + across, base - across],
+        color,
+        egui::Stroke::NONE,
+    ));
 }
 
 /// A note beside the pointer.
@@ -60,30 +73,61 @@ pub fn pointer_note(ui: &Ui, pointer: Pos2, frame: Rect, text: &str, palette: &P
     let painter = ui.painter_at(frame);
     let galley = painter.layout_no_wrap(text.to_owned(), body_font(ui), palette.ink);
     let size = galley.size() + vec2(12.0, 8.0);
-    let rect = inside(Rect::from_min_size(pointer + vec2(14.0, -size.y - 8.0), size), frame);
-    painter.rect(rect, 4.0, palette.background, (1.0, palette.axis), egui::StrokeKind::Inside);
+    let rect = inside(
+        Rect::from_min_size(pointer + vec2(14.0, -size.y - 8.0), size),
+        frame,
+    );
+    painter.rect(
+        rect,
+        4.0,
+        palette.background,
+        (1.0, palette.axis),
+        egui::StrokeKind::Inside,
+    );
     painter.galley(rect.min + vec2(6.0, 4.0), galley, palette.ink);
 }
 
 /// A round handle that can be dragged, with its name for tests and screen readers.
-pub fn handle(ui: &Ui, position: Pos2, id: Id, name: &'static str, color: Color32, palette: &Palette) -> Response {
+#[must_use]
+pub fn handle(
+    ui: &Ui,
+    position: Pos2,
+    id: Id,
+    name: &'static str,
+    color: Color32,
+    palette: &Palette,
+) -> Response {
     let grip = Rect::from_center_size(position, egui::Vec2::splat(2.0 * HANDLE_RADIUS + 8.0));
-    let response = ui.interact(grip, id, Sense::drag()).on_hover_cursor(egui::CursorIcon::Grab);
+    let response = ui
+        .interact(grip, id, Sense::drag())
+        .on_hover_cursor(egui::CursorIcon::Grab);
     response.widget_info(|| WidgetInfo::labeled(Role::GraphicsObject, ui.is_enabled(), name));
     let is_active = response.hovered() || response.dragged();
-    let radius = if is_active { HANDLE_RADIUS + 2.0 } else { HANDLE_RADIUS };
-    ui.painter().circle(position, radius, color, (2.0, palette.background));
+    let radius = if is_active {
+        HANDLE_RADIUS + 2.0
+    } else {
+        HANDLE_RADIUS
+    };
+    ui.painter()
+        .circle(position, radius, color, (2.0, palette.background));
     response
 }
 
 /// The read-out of a direction: angles and value, per channel where these are shown.
 #[must_use]
 pub fn cursor_text(cursor: &Cursor, session: &Session) -> String {
-    let angles = format!("θ {}  φ {}", format::degrees(cursor.theta_deg), format::degrees(cursor.phi_deg));
+    let angles = format!(
+        "θ {}  φ {}",
+        format::degrees(cursor.theta_deg),
+        format::degrees(cursor.phi_deg)
+    );
     let quantity = if session.with_cosine { "f cos θ" } else { "f" };
     match session.curves {
         Curves::Luminance => {
-            format!("{angles}  {quantity} {} 1/sr", format::value(Channel::Luminance.of(cursor.value)))
+            format!(
+                "{angles}  {quantity} {} 1/sr",
+                format::value(Channel::Luminance.of(cursor.value))
+            )
         }
         Curves::Rgb => {
             let [r, g, b] = cursor.value.map(format::value);
@@ -99,15 +143,35 @@ mod tests {
     #[test]
     fn notes_stay_inside() {
         let bounds = Rect::from_min_size(Pos2::ZERO, vec2(100.0, 100.0));
-        let moved = inside(Rect::from_min_size(Pos2::new(90.0, -5.0), vec2(20.0, 10.0)), bounds);
-        assert_eq!(moved, Rect::from_min_size(Pos2::new(80.0, 0.0), vec2(20.0, 10.0)));
+        let moved = inside(
+            Rect::from_min_size(Pos2::new(90.0, -5.0), vec2(20.0, 10.0)),
+            bounds,
+        );
+        assert_eq!(
+            moved,
+            Rect::from_min_size(Pos2::new(80.0, 0.0), vec2(20.0, 10.0))
+        );
     }
 
     #[test]
     fn read_outs_name_angle_value_and_unit() {
-        let cursor = Cursor { theta_deg: 30.0, phi_deg: -0.0, value: [0.25; 3] };
-        assert_eq!(cursor_text(&cursor, &Session::default()), "θ 30°  φ 0°  f 0.25 1/sr");
-        let session = Session { curves: Curves::Rgb, with_cosine: true, ..Session::default() };
-        assert_eq!(cursor_text(&cursor, &session), "θ 30°  φ 0°  f cos θ R 0.25  G 0.25  B 0.25 1/sr");
+        let cursor = Cursor {
+            theta_deg: 30.0,
+            phi_deg: -0.0,
+            value: [0.25; 3],
+        };
+        assert_eq!(
+            cursor_text(&cursor, &Session::default()),
+            "θ 30°  φ 0°  f 0.25 1/sr"
+        );
+        let session = Session {
+            curves: Curves::Rgb,
+            with_cosine: true,
+            ..Session::default()
+        };
+        assert_eq!(
+            cursor_text(&cursor, &session),
+            "θ 30°  φ 0°  f cos θ R 0.25  G 0.25  B 0.25 1/sr"
+        );
     }
 }

@@ -11,7 +11,9 @@ pub fn show(ui: &mut Ui, material: &mut Material) {
     let params = material.params().clone();
     for (spec, value) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
         let mut edited = value;
-        ui.push_id((material.model().id, spec.name), |ui| row(ui, spec, &mut edited));
+        ui.push_id((material.model().id, spec.name), |ui| {
+            row(ui, spec, &mut edited);
+        });
         if edited != value
             && let Err(refusal) = material.set(spec.name, edited)
         {
@@ -26,7 +28,12 @@ fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value) {
         let hint = hint(spec);
         match value {
             Value::Number(number) => slider(ui, spec, number),
-            Value::Rgb(rgb) => channels(ui, spec, rgb),
+            Value::Rgb(rgb) => {
+                ui.vertical(|ui| {
+                    ui.label(spec.label()).on_hover_text(&hint);
+                    ui.horizontal(|ui| channels(ui, spec, rgb));
+                });
+            }
             Value::Choice(word) => choice(ui, spec, word),
             Value::Bool(flag) => {
                 ui.checkbox(flag, spec.label()).on_hover_text(&hint);
@@ -35,9 +42,12 @@ fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value) {
         let is_changed = *value != spec.default;
         let reset = egui::Button::new("↺").small().frame(false);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let response = ui.add_enabled(is_changed, reset).on_hover_text(format!("Reset to {}", spec.default));
+            let response = ui
+                .add_enabled(is_changed, reset)
+                .on_hover_text(format!("Reset to {}", spec.default));
             let name = format!("Reset {}", spec.label());
-            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_changed, &name));
+            response
+                .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_changed, &name));
             if response.clicked() {
                 *value = spec.default;
             }
@@ -47,9 +57,15 @@ fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value) {
 
 fn hint(spec: &ParamSpec) -> String {
     let [low, high] = spec.hard;
-    let unit = if spec.unit.is_empty() { String::new() } else { format!(" {}", spec.unit) };
+    let unit = if spec.unit.is_empty() {
+        String::new()
+    } else {
+        format!(" {}", spec.unit)
+    };
     match spec.kind {
-        Kind::Number | Kind::Rgb => format!("{}\n{}: {low} to {high}{unit}", spec.meaning, spec.name),
+        Kind::Number | Kind::Rgb => {
+            format!("{}\n{}: {low} to {high}{unit}", spec.meaning, spec.name)
+        }
         Kind::Choice | Kind::Bool => format!("{}\n{}", spec.meaning, spec.name),
     }
 }
@@ -78,7 +94,9 @@ fn slider(ui: &mut Ui, spec: &ParamSpec, number: &mut f64) {
 fn channels(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {
     if spec.is_colour() {
         let mut color = rgb.map(|channel| channel as f32);
-        let button = ui.color_edit_button_rgb(&mut color).on_hover_text(hint(spec));
+        let button = ui
+            .color_edit_button_rgb(&mut color)
+            .on_hover_text(hint(spec));
         button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ColorWell, true, spec.label()));
         if button.changed() {
             *rgb = color.map(|channel| f64::from(channel).clamp(spec.hard[0], spec.hard[1]));
@@ -87,30 +105,40 @@ fn channels(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {
     let names = ["R", "G", "B"];
     for (channel, name) in rgb.iter_mut().zip(names) {
         let speed = 0.005 * (spec.soft[1] - spec.soft[0]);
-        let field = DragValue::new(channel).range(spec.hard[0]..=spec.hard[1]).speed(speed).max_decimals(3);
+        let field = DragValue::new(channel)
+            .range(spec.hard[0]..=spec.hard[1])
+            .speed(speed)
+            .max_decimals(3);
         let label = format!("{} {name}", spec.label());
-        let response = ui.add(field).on_hover_text(format!("{name}\n{}", hint(spec)));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
+        let response = ui
+            .add(field)
+            .on_hover_text(format!("{name}\n{}", hint(spec)));
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label(label));
     }
-    ui.label(spec.label()).on_hover_text(hint(spec));
 }
 
 fn choice(ui: &mut Ui, spec: &ParamSpec, word: &mut &'static str) {
     let label = spec.label();
-    ComboBox::from_label(&label).selected_text(sentence(word)).width(theme::COMBO_WIDTH).show_ui(ui, |ui| {
-        for option in spec.choices {
-            ui.selectable_value(word, option, sentence(option));
-        }
-    })
-    .response
-    .on_hover_text(hint(spec));
+    ComboBox::from_label(&label)
+        .selected_text(sentence(word))
+        .width(theme::COMBO_WIDTH)
+        .show_ui(ui, |ui| {
+            for option in spec.choices {
+                ui.selectable_value(word, option, sentence(option));
+            }
+        })
+        .response
+        .on_hover_text(hint(spec));
 }
 
 /// A word of the command line as the screen shows it.
 fn sentence(word: &str) -> String {
     let spaced = word.replace('_', " ");
     let mut letters = spaced.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }
 
 #[cfg(test)]

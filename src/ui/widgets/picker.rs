@@ -8,12 +8,21 @@ use crate::bxdf::{Category, Material, ModelSpec, Side};
 /// The list of models; choosing one replaces the material.
 pub fn show(ui: &mut Ui, material: &mut Material) {
     for category in Category::ALL {
-        ui.label(RichText::new(category.title()).strong()).on_hover_text(category.meaning());
+        ui.label(RichText::new(category.title()).strong())
+            .on_hover_text(category.meaning());
         ui.indent(category.id(), |ui| {
-            for model in MODELS.into_iter().filter(|model| model.category() == category) {
+            for model in MODELS
+                .into_iter()
+                .filter(|model| model.category() == category)
+            {
                 let is_chosen = model.id == material.model().id;
                 let hint = format!("{}\n\n{}", model.summary, model.source);
-                if ui.selectable_label(is_chosen, title(model)).on_hover_text(hint).clicked() && !is_chosen {
+                if ui
+                    .selectable_label(is_chosen, title(model))
+                    .on_hover_text(hint)
+                    .clicked()
+                    && !is_chosen
+                {
                     *material = Material::of(model);
                 }
             }

@@ -1,6 +1,6 @@
 //! The status line: the value under the pointer, the shares of light, the time of the last update.
 
-use egui::{Color32, Rect, Sense, Ui, Role, WidgetInfo, vec2};
+use egui::{Color32, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::draw;
 use crate::analysis::Channel;
@@ -41,7 +41,10 @@ pub fn show(
 /// The luminance of the shares in thousandths; they sum to 1 exactly, the rest being what is absorbed.
 fn rounded_shares(shares: &Reflectance) -> [f64; 3] {
     let thousandths = |rgb: [f64; 3]| (Channel::Luminance.of(rgb) * 1000.0).round() / 1000.0;
-    let (reflected, transmitted) = (thousandths(shares.reflection), thousandths(shares.transmission));
+    let (reflected, transmitted) = (
+        thousandths(shares.reflection),
+        thousandths(shares.transmission),
+    );
     let absorbed = ((1.0 - reflected - transmitted) * 1000.0).round() / 1000.0;
     // Adding 0 turns the -0 of rounding into 0.
     [reflected, transmitted, absorbed + 0.0]
@@ -54,7 +57,11 @@ fn bar(ui: &mut Ui, [reflected, transmitted, absorbed]: [f64; 3], palette: &Pale
     let mut left = rect.left();
     let mut part = |share: f64, color: Color32| {
         let width = rect.width() * share.clamp(0.0, 1.0) as f32;
-        painter.rect_filled(Rect::from_min_size(egui::pos2(left, rect.top()), vec2(width, rect.height())), 0.0, color);
+        painter.rect_filled(
+            Rect::from_min_size(egui::pos2(left, rect.top()), vec2(width, rect.height())),
+            0.0,
+            color,
+        );
         left += width;
     };
     part(reflected, palette.lobe);
@@ -68,9 +75,17 @@ mod tests {
 
     #[test]
     fn shares_sum_to_one() {
-        let shares = Reflectance { reflection: [0.333_33; 3], transmission: [0.333_33; 3], error: 0.0 };
+        let shares = Reflectance {
+            reflection: [0.333_33; 3],
+            transmission: [0.333_33; 3],
+            error: 0.0,
+        };
         assert_eq!(rounded_shares(&shares), [0.333, 0.333, 0.334]);
-        let all = Reflectance { reflection: [1.0 - 1e-9; 3], transmission: [0.0; 3], error: 0.0 };
+        let all = Reflectance {
+            reflection: [1.0 - 1e-9; 3],
+            transmission: [0.0; 3],
+            error: 0.0,
+        };
         assert_eq!(rounded_shares(&all), [1.0, 0.0, 0.0]);
     }
 }

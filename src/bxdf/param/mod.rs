@@ -5,7 +5,9 @@
 
 use std::fmt;
 
-use crate::error::{Error, Result};
+mod set;
+
+pub use set::ParamSet;
 
 /// The kind of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -201,7 +203,9 @@ impl ParamSpec {
     pub fn label(&self) -> String {
         let spaced = self.name.replace('_', " ");
         let mut letters = spaced.chars();
-        letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+        letters.next().map_or_else(String::new, |first| {
+            first.to_uppercase().chain(letters).collect()
+        })
     }
 
     /// What is allowed, as a phrase for an error line.
@@ -258,232 +262,5 @@ impl ParamSpec {
             (Kind::Bool, Value::Bool(_)) => true,
             _ => false,
         }
-    }
-}
-
-/// The name that sets `alpha_x` and `alpha_y` at once, in models that have both.
-const BOTH_ALPHAS: &str = "alpha";
-
-/// The values of a model's parameters: one per spec, in the order of the specs, each allowed by its spec.
-#[derive(Clone, Debug)]
-pub struct ParamSet {
-    model: &'static str,
-    specs: &'static [ParamSpec],
-    values: Vec<Value>,
-}
-
-impl PartialEq for ParamSet {
-    fn eq(&self, other: &Self) -> bool {
-        self.model == other.model && self.values == other.values
-    }
-}
-
-impl ParamSet {
-    /// The defaults of `specs`; `model` is named in errors.
-    #[must_use]
-    pub fn defaults(model: &'static str, specs: &'static [ParamSpec]) -> Self {
-        Self {
-            model,
-            specs,
-            values: specs.iter().map(|spec| spec.default).collect(),
-        }
-    }
-
-    /// Each spec with its value, in the order of the specs.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static ParamSpec, Value)> + '_ {
-        self.specs.iter().zip(self.values.iter().copied())
-    }
-
-    /// Whether the parameter has an effect at the present values of the others.
-    #[must_use]
-    pub fn is_relevant(&self, spec: &ParamSpec) -> bool {
-        spec.relevant_when
-            .is_none_or(|(name, words)| words.contains(&self.choice(name)))
-    }
-
-    /// Sets the parameter `name` to `value`.
-    ///
-    /// # Errors
-    /// [`Error::UnknownId`] where the model has no such parameter, [`Error::Parameter`] where its range does not
-    /// include the value; the set is then unchanged.
-    pub fn set(&mut self, name: &str, value: Value) -> Result<()> {
-        let index = self.index_of(name).ok_or_else(|| self.unknown(name))?;
-        let (Some(spec), Some(slot)) = (self.specs.get(index), self.values.get_mut(index)) else {
-            return Err(self.unknown(name));
-        };
-        if !spec.allows(value) {
-            return Err(refused(self.model, spec, &value.to_string()));
-        }
-        *slot = value;
-        Ok(())
-    }
-
-    /// Sets the parameter `name` from its text: a number, `r/g/b`, a word, `true` or `false`. `alpha` sets `alpha_x`
-    /// and `alpha_y`.
-    ///
-    /// # Errors
-    /// As [`Self::set`], and [`Error::Parameter`] where the text is not of the parameter's kind.
-    pub fn set_text(&mut self, name: &str, text: &str) -> Result<()> {
-        if name == BOTH_ALPHAS
-            && self.index_of(name).is_none()
-            && self.index_of("alpha_x").is_some()
-        {
-            self.set_text("alpha_x", text)?;
-            return self.set_text("alpha_y", text);
-        }
-        let spec = self
-            .index_of(name)
-            .and_then(|index| self.specs.get(index))
-            .ok_or_else(|| self.unknown(name))?;
-        let value = spec
-            .parse(text)
-            .ok_or_else(|| refused(self.model, spec, text))?;
-        self.set(name, value)
-    }
-
-    /// The number `name`. A name the model does not have is a mistake in the model's own code; it reads as 0.
-    #[must_use]
-    pub fn number(&self, name: &str) -> f64 {
-        match self.get(name) {
-            Some(Value::Number(x)) => x,
-            other => self.misread(name, other, 0.0),
-        }
-    }
-
-    /// The channels of `name`; black for a name the model does not have, as in [`Self::number`].
-    #[must_use]
-    pub fn rgb(&self, name: &str) -> [f64; 3] {
-        match self.get(name) {
-            Some(Value::Rgb(rgb)) => rgb,
-            other => self.misread(name, other, [0.0; 3]),
-        }
-    }
-
-    /// The word of `name`; empty for a name the model does not have, as in [`Self::number`].
-    #[must_use]
-    pub fn choice(&self, name: &str) -> &'static str {
-        match self.get(name) {
-            Some(Value::Choice(word)) => word,
-            other => self.misread(name, other, ""),
-        }
-    }
-
-    /// The value of `name`, if the model has such a parameter.
-    #[must_use]
-    pub fn get(&self, name: &str) -> Option<Value> {
-        self.index_of(name)
-            .and_then(|index| self.values.get(index).copied())
-    }
-
-    fn index_of(&self, name: &str) -> Option<usize> {
-        self.specs.iter().position(|spec| spec.name == name)
-    }
-
-    fn unknown(&self, name: &str) -> Error {
-        let known = self.specs.iter().map(|spec| spec.name);
-        Error::unknown("parameter", name, known)
-    }
-
-    /// An [`Error::Parameter`] about `name`, for rules that span several parameters.
-    #[must_use]
-    pub fn error(&self, name: &str, allowed: impl Into<String>) -> Error {
-        let value = self
-            .get(name)
-            .map(|value| value.to_string())
-            .unwrap_or_default();
-        Error::Parameter {
-            model: self.model.to_owned(),
-            name: name.to_owned(),
-            value,
-            allowed: allowed.into(),
-        }
-    }
-
-    fn misread<T>(&self, name: &str, found: Option<Value>, fallback: T) -> T {
-        debug_assert!(
-            false,
-            "{}: no parameter '{name}' of that kind (found {found:?})",
-            self.model
-        );
-        fallback
-    }
-}
-
-fn refused(model: &str, spec: &ParamSpec, text: &str) -> Error {
-    Error::Parameter {
-        model: model.to_owned(),
-        name: spec.name.to_owned(),
-        value: text.to_owned(),
-        allowed: spec.allowed(),
-    }
-}
-
-impl fmt::Display for ParamSet {
-    /// The parameters that differ from their default, as `name=value,name=value`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let changed = self.iter().filter(|(spec, value)| *value != spec.default);
-        for (index, (spec, value)) in changed.enumerate() {
-            let comma = if index == 0 { "" } else { "," };
-            write!(f, "{comma}{}={value}", spec.name)?;
-        }
-        Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    static SPECS: [ParamSpec; 4] = [
-        ParamSpec::rgb("reflectance", [0.8; 3], "share reflected"),
-        ParamSpec::number("alpha_x", 0.3, "width along s").hard(1e-4, 1.0),
-        ParamSpec::number("alpha_y", 0.3, "width along t").hard(1e-4, 1.0),
-        ParamSpec::choice("fresnel", &["one", "schlick"], "reflectance of a facet"),
-    ];
-
-    fn set() -> ParamSet {
-        ParamSet::defaults("test_model", &SPECS)
-    }
-
-    #[test]
-    fn text_sets_and_prints_values() {
-        let mut params = set();
-        params.set_text("reflectance", "0.1/0.2/0.3").unwrap();
-        params.set_text("alpha", "0.5").unwrap();
-        params.set_text("fresnel", "schlick").unwrap();
-        assert_eq!(
-            params.to_string(),
-            "reflectance=0.1/0.2/0.3,alpha_x=0.5,alpha_y=0.5,fresnel=schlick"
-        );
-        params.set_text("reflectance", "0.25").unwrap();
-        assert_eq!(params.rgb("reflectance"), [0.25; 3]);
-        assert_eq!(set().to_string(), "");
-    }
-
-    #[test]
-    fn refusals_name_what_is_allowed() {
-        let mut params = set();
-        let cases = [
-            (
-                "alpha_x",
-                "2",
-                "test_model: alpha_x = 2: allowed is a number from 0.0001 to 1",
-            ),
-            ("alpha_x", "nan", "from 0.0001 to 1"),
-            ("alpha_x", "wide", "alpha_x = wide"),
-            ("reflectance", "0.1/0.2", "one number or three as r/g/b"),
-            ("reflectance", "0.1/0.2/1.2", "each from 0 to 1"),
-            ("fresnel", "exact", "allowed is one of one, schlick"),
-            (
-                "alpa_x",
-                "0.1",
-                "unknown parameter 'alpa_x'; nearest: alpha_x",
-            ),
-        ];
-        for (name, text, expected) in cases {
-            let line = params.set_text(name, text).unwrap_err().to_string();
-            assert!(line.contains(expected), "{line}");
-        }
-        assert_eq!(params, set(), "a refused value changes nothing");
     }
 }

@@ -1,0 +1,197 @@
+//! The 3D lobe: the lobe as a surface over the sphere of directions, in the frame s, t, n.
+
+use std::sync::Arc;
+
+use egui::{Rect, Role, Sense, Ui, WidgetInfo, vec2};
+use glam::{DVec3, Vec3};
+
+use super::{Cursor, ViewContext, ViewSpec};
+use crate::analysis::Lobe;
+use crate::bxdf::math::frame;
+use crate::ui::scene3d::{self, HomeView, OrbitCamera, SceneView};
+use crate::ui::session::Session;
+use crate::ui::theme::rgba;
+use crate::ui::widgets::draw;
+use sketch::Sketch;
+use surface::DrawnLobe;
+
+mod scene;
+mod sketch;
+mod surface;
+
+pub(super) use scene::DrawingMemo;
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "lobe3d",
+    title: "3D lobe",
+    what_you_see: "The lobe over all directions: distance from the centre and colour are the value f; drag to orbit",
+    show,
+};
+
+/// Where axes end, beyond the unit dome.
+const AXIS_LENGTH: f32 = 1.22;
+/// How high the view's centre lies when nothing is below the surface: the upper half then fills the view.
+const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
+/// How much closer the camera then comes.
+const UPPER_ZOOM: f32 = 1.15;
+/// Radius of the arcs of theta and phi.
+const ARC_RADIUS: f32 = 0.42;
+/// A shorter projection of the held direction has no azimuth worth drawing.
+const FLAT: f32 = 1e-3;
+/// What one notch of the wheel zooms by is e to this times its points.
+const ZOOM_PER_POINT: f32 = 0.003;
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    let rect = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(rect, Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
+    let mesh = cx.data.mesh(cx.session);
+    let arrows = cx.data.arrows(cx.session);
+    let has_lower = mesh.vertices.iter().any(|v| v.direction.z < 0.0)
+        || arrows.iter().any(|arrow| arrow.direction.z < 0.0)
+        || cx.session.theta_deg > 90.0;
+    move_camera(ui, &response, cx.session);
+    let camera = centred(&cx.session.camera, has_lower);
+    let drawing = scene::drawing(ui, cx, &mesh, &arrows, has_lower);
+    let view = SceneView {
+        id: ui.scope_id().value(),
+        scene: Arc::clone(&drawing.scene),
+        version: cx.state.drawing.version(),
+        camera: camera.clone(),
+        background: rgba(cx.palette.background, 255),
+    };
+    ui.painter().add(scene3d::shape(rect, view));
+    let sketch = Sketch {
+        ui,
+        rect,
+        camera: &camera,
+        palette: cx.palette,
+    };
+    sketch.name_axes(&drawing.lobe);
+    sketch.label(cx.session, &arrows);
+    sketch.legend(drawing.lobe.peak, cx.session);
+    home_buttons(ui, rect, cx.session);
+    if !drag_held(ui, cx, rect, &camera) && !response.dragged() {
+        read_out(ui, cx, &response, &drawing.lobe, &camera);
+    }
+}
+
+/// The session's camera, with its target at the middle of what there is to see.
+fn centred(camera: &OrbitCamera, has_lower: bool) -> OrbitCamera {
+    let mut camera = camera.clone();
+    if !has_lower {
+        camera.set_target(camera.target() + UPPER_CENTRE);
+        camera.zoom(UPPER_ZOOM);
+    }
+    camera
+}
+
+fn move_camera(ui: &Ui, response: &egui::Response, session: &mut Session) {
+    let camera = &mut session.camera;
+    let is_panning = ui.input(|input| input.modifiers.shift);
+    if response.dragged_by(egui::PointerButton::Primary) && !is_panning {
+        camera.orbit(response.drag_delta());
+    } else if response.dragged() {
+        camera.pan(response.drag_delta(), response.rect.size());
+    }
+    if response.hovered() {
+        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+        let factor = (ZOOM_PER_POINT * scroll).exp() * pinch;
+        if factor != 1.0 {
+            camera.zoom(factor);
+        }
+    }
+    if response.double_clicked() {
+        *camera = OrbitCamera::default();
+    }
+}
+
+fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
+    let strip = Rect::from_min_size(
+        rect.left_bottom() + vec2(6.0, -28.0),
+        vec2(rect.width() - 12.0, 22.0),
+    );
+    ui.scope_builder(egui::UiBuilder::new().max_rect(strip).id_salt("home views"), |ui| {
+        ui.horizontal(|ui| {
+            for home in HomeView::ALL {
+                let hint = "Look from here; double-click the view to reset, drag to orbit, Shift-drag to pan, scroll to zoom";
+                if ui.small_button(home.label()).on_hover_text(hint).clicked() {
+                    session.camera.home(home);
+                }
+            }
+            let hint = "Draw theta, phi and the projection of the held direction onto the surface, whose length is sin theta";
+            ui.toggle_value(&mut session.show_geometry, "Angles").on_hover_text(hint);
+        });
+    });
+}
+
+/// The handle of the held direction on the dome. Returns whether it is being dragged.
+fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, camera: &OrbitCamera) -> bool {
+    let Some(tip) = camera
+        .project(cx.session.held().as_vec3(), rect)
+        .filter(|tip| rect.contains(*tip))
+    else {
+        return false;
+    };
+    let color = cx.palette.held(cx.session.hold);
+    let handle = draw::handle(
+        ui,
+        tip,
+        ui.scope_id().with("held"),
+        "Held direction in the 3D lobe",
+        color,
+        cx.palette,
+    );
+    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
+        cx.session
+            .set_held(camera.ray(pointer, rect).drag_on_sphere(1.0).as_dvec3());
+        ui.ctx().request_repaint();
+    }
+    handle.dragged()
+}
+
+/// The direction and value under the pointer: on the lobe where the pointer meets it, else on the dome.
+fn read_out(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    response: &egui::Response,
+    drawn: &DrawnLobe,
+    camera: &OrbitCamera,
+) {
+    let Some(pointer) = response.hover_pos() else {
+        return;
+    };
+    let ray = camera.ray(pointer, response.rect);
+    let on_lobe = drawn
+        .hit(&ray)
+        .map(|distance| ray.origin + distance * ray.direction);
+    let hit = on_lobe
+        .or_else(|| ray.sphere_hits(1.0)[0])
+        .map(Vec3::as_dvec3);
+    let Some(direction) = hit.and_then(DVec3::try_normalize) else {
+        return;
+    };
+    let surface = cx.data.surface(cx.session);
+    let lobe = Lobe::new(&**surface, cx.session.hold, cx.session.held());
+    let cosine = if cx.session.with_cosine {
+        direction.z.abs()
+    } else {
+        1.0
+    };
+    let cursor = Cursor {
+        theta_deg: frame::theta(direction).to_degrees(),
+        phi_deg: frame::phi(direction).to_degrees(),
+        value: lobe
+            .value_or_limit(direction, direction.z >= 0.0)
+            .map(|f| f * cosine),
+    };
+    draw::pointer_note(
+        ui,
+        pointer,
+        response.rect,
+        &draw::cursor_text(&cursor, cx.session),
+        cx.palette,
+    );
+    *cx.cursor = Some(cursor);
+}

@@ -1,0 +1,121 @@
+//! The scene: the lobe, the dome, the axes and the directions.
+
+use std::sync::Arc;
+
+use egui::{Theme, Ui};
+use glam::{DVec3, Vec3};
+
+use super::super::ViewContext;
+use super::surface::DrawnLobe;
+use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
+use crate::analysis::Channel;
+use crate::analysis::lobe::Arrow;
+use crate::analysis::lobe3d::Mesh;
+use crate::ui::memo::Memo;
+use crate::ui::scene3d::{OrbitCamera, Scene};
+use crate::ui::session::Session;
+use crate::ui::theme::{Palette, rgba};
+
+/// What a drawing is made from.
+#[derive(Clone, Debug, PartialEq)]
+pub(in super::super) struct Key {
+    lobe: u64,
+    session: Session,
+    is_dark: bool,
+}
+
+/// What is on the screen, less what is painted over it.
+pub(in super::super) struct Drawing {
+    pub(super) scene: Arc<Scene>,
+    pub(super) lobe: DrawnLobe,
+}
+
+/// The drawing last shown.
+pub(in super::super) type DrawingMemo = Memo<Key, Drawing>;
+
+/// The drawing of the session, made anew only where something other than the camera has changed.
+pub(super) fn drawing(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    mesh: &Mesh,
+    arrows: &[Arrow],
+    has_lower: bool,
+) -> Arc<Drawing> {
+    let key = Key {
+        lobe: cx.data.lobe_version(),
+        session: Session {
+            camera: OrbitCamera::default(),
+            ..cx.session.clone()
+        },
+        is_dark: ui.ctx().theme() == Theme::Dark,
+    };
+    let (session, palette) = (&*cx.session, cx.palette);
+    cx.state.drawing.get(key, || {
+        let lobe = DrawnLobe::of(mesh, session);
+        let mut scene = Scene::default();
+        lobe.add_to(&mut scene);
+        add_frame(&mut scene, palette, has_lower);
+        add_directions(&mut scene, session, arrows, palette);
+        if session.show_geometry {
+            add_geometry(&mut scene, session, palette);
+        }
+        Drawing {
+            scene: Arc::new(scene),
+            lobe,
+        }
+    })
+}
+
+fn add_frame(scene: &mut Scene, palette: &Palette, has_lower: bool) {
+    let (axis, grid) = (rgba(palette.axis, 255), rgba(palette.axis, 60));
+    scene.add_hemisphere(true, palette.dome);
+    scene.add_degree_grid(true, 15.0, 30.0, grid, 1.0);
+    if has_lower {
+        scene.add_hemisphere(false, palette.dome);
+        scene.add_degree_grid(false, 15.0, 30.0, grid, 1.0);
+    }
+    scene.add_ground_disc(palette.ground);
+    for direction in [Vec3::X, Vec3::Y] {
+        scene.add_arrow(Vec3::ZERO, direction * AXIS_LENGTH, axis, 1.5);
+    }
+    scene.add_arrow(
+        Vec3::ZERO,
+        Vec3::Z * AXIS_LENGTH,
+        rgba(palette.ink, 255),
+        1.5,
+    );
+}
+
+fn add_directions(scene: &mut Scene, session: &Session, arrows: &[Arrow], palette: &Palette) {
+    let held = session.held();
+    let mirror = DVec3::new(-held.x, -held.y, held.z);
+    scene.add_arrow(
+        Vec3::ZERO,
+        held.as_vec3(),
+        rgba(palette.held(session.hold), 255),
+        3.0,
+    );
+    scene.add_dashed(Vec3::ZERO, mirror.as_vec3(), rgba(palette.mirror, 255), 2.0);
+    for arrow in arrows {
+        let length = Channel::Luminance.of(arrow.flux);
+        scene.add_arrow(
+            Vec3::ZERO,
+            (arrow.direction * length).as_vec3(),
+            rgba(palette.delta, 255),
+            5.0,
+        );
+    }
+}
+
+/// Theta, phi and the projection onto the s-t plane.
+fn add_geometry(scene: &mut Scene, session: &Session, palette: &Palette) {
+    let color = rgba(palette.geometry, 255);
+    let held = session.held().as_vec3();
+    let flat = Vec3::new(held.x, held.y, 0.0);
+    scene.add_arc(Vec3::ZERO, Vec3::Z, held, ARC_RADIUS, color, 2.0);
+    if flat.length() > FLAT {
+        scene.add_arc(Vec3::ZERO, Vec3::X, flat, ARC_RADIUS, color, 2.0);
+        scene.add_arrow(Vec3::ZERO, flat, color, 2.0);
+        scene.add_dashed(held, flat, color, 1.5);
+    }
+}

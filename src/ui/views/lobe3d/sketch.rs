@@ -1,0 +1,148 @@
+//! What is painted over the scene: names, angles and the legend of the colours.
+
+use egui::{Align2, Color32, Pos2, Rect, Ui, vec2};
+use glam::Vec3;
+
+use super::surface::DrawnLobe;
+use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
+use crate::analysis::lobe::Arrow;
+use crate::analysis::{Channel, RadialScale};
+use crate::ui::format;
+use crate::ui::scene3d::{OrbitCamera, Ray};
+use crate::ui::session::Session;
+use crate::ui::theme::{self, Palette};
+use crate::ui::widgets::draw;
+
+/// What is painted over the scene.
+pub(super) struct Sketch<'a> {
+    pub(super) ui: &'a Ui,
+    pub(super) rect: Rect,
+    pub(super) camera: &'a OrbitCamera,
+    pub(super) palette: &'a Palette,
+}
+
+impl Sketch<'_> {
+    fn name(&self, place: Vec3, text: &str, color: Color32) {
+        if let Some(position) = self.camera.project(place, self.rect) {
+            let painter = self.ui.painter_at(self.rect);
+            let font = draw::body_font(self.ui);
+            draw::haloed_text(
+                &painter,
+                position,
+                Align2::CENTER_CENTER,
+                text,
+                font,
+                color,
+                self.palette,
+            );
+        }
+    }
+
+    /// The names of the axes, where the lobe does not stand before them.
+    pub(super) fn name_axes(&self, lobe: &DrawnLobe) {
+        for (axis, name) in [(Vec3::X, "s"), (Vec3::Y, "t"), (Vec3::Z, "n")] {
+            let place = axis * (AXIS_LENGTH + 0.08);
+            let eye = self.camera.eye();
+            let sight = Ray {
+                origin: eye,
+                direction: place - eye,
+            };
+            if lobe.hit(&sight).is_none_or(|distance| distance > 1.0) {
+                self.name(place, name, self.palette.ink);
+            }
+        }
+    }
+
+    pub(super) fn label(&self, session: &Session, arrows: &[Arrow]) {
+        let held = session.held().as_vec3();
+        let mirror = Vec3::new(-held.x, -held.y, held.z);
+        for arrow in arrows {
+            let share = Channel::Luminance.of(arrow.flux);
+            let place = (arrow.direction * share.max(0.3) * 0.62).as_vec3();
+            self.name(place, &format!("delta {share:.3}"), self.palette.delta);
+        }
+        self.name(mirror * 1.12, "mirror", self.palette.mirror);
+        self.name(
+            held * 1.17,
+            session.held_name(),
+            self.palette.held(session.hold),
+        );
+        if session.show_geometry {
+            self.label_geometry(session);
+        }
+    }
+
+    fn label_geometry(&self, session: &Session) {
+        let held = session.held().as_vec3();
+        let flat = Vec3::new(held.x, held.y, 0.0);
+        let color = self.palette.geometry;
+        let between = (Vec3::Z + held).normalize_or_zero();
+        self.name(
+            between * (ARC_RADIUS + 0.1),
+            &format!("θ {}", format::degrees(session.theta_deg)),
+            color,
+        );
+        if flat.length() > FLAT {
+            let (sin, cos) = (0.5 * session.phi_deg).to_radians().sin_cos();
+            let middle = Vec3::new(cos as f32, sin as f32, 0.0);
+            self.name(
+                middle * (ARC_RADIUS + 0.12),
+                &format!("φ {}", format::degrees(session.phi_deg)),
+                color,
+            );
+            let below = Vec3::new(0.0, 0.0, -0.09);
+            self.name(
+                flat * 0.6 + below,
+                &format!("sin θ {:.3}", flat.length()),
+                color,
+            );
+        }
+    }
+
+    /// The colours with the values they stand for.
+    pub(super) fn legend(&self, peak: f64, session: &Session) {
+        if peak <= 0.0 {
+            return;
+        }
+        let (width, height) = (10.0, (0.2 * self.rect.height()).clamp(50.0, 120.0));
+        let corner = self.rect.right_top() + vec2(-width - 8.0, 12.0);
+        let bar = Rect::from_min_size(corner, vec2(width, height));
+        let mut strip = egui::Mesh::default();
+        let steps = 24_u32;
+        for step in 0..=steps {
+            let t = step as f32 / steps as f32;
+            let color = theme::viridis_color(f64::from(1.0 - t));
+            let y = bar.top() + t * bar.height();
+            strip.colored_vertex(Pos2::new(bar.left(), y), color);
+            strip.colored_vertex(Pos2::new(bar.right(), y), color);
+            if step > 0 {
+                let first = 2 * (step - 1);
+                strip.add_triangle(first, first + 1, first + 2);
+                strip.add_triangle(first + 1, first + 2, first + 3);
+            }
+        }
+        let painter = self.ui.painter_at(self.rect);
+        painter.add(strip);
+        let text = |y: f32, anchor: Align2, text: String| {
+            let place = Pos2::new(bar.left() - 5.0, y);
+            painter.text(
+                place,
+                anchor,
+                text,
+                draw::small_font(self.ui),
+                self.palette.faint_ink,
+            );
+        };
+        let quantity = if session.with_cosine { "f cos θ" } else { "f" };
+        text(
+            bar.top(),
+            Align2::RIGHT_CENTER,
+            format!("{quantity} {} 1/sr", format::value(peak)),
+        );
+        let low = match session.scale {
+            RadialScale::Linear => "0".to_owned(),
+            RadialScale::Logarithmic { .. } => format::value(session.scale.value(0.0, peak)),
+        };
+        text(bar.bottom(), Align2::RIGHT_CENTER, low);
+    }
+}

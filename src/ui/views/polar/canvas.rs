@@ -1,0 +1,269 @@
+//! What is drawn of the plot: the grid, the curves, the directions and the deltas.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use egui::{Align2, Color32, Pos2, Stroke, Ui, vec2};
+use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
+
+use super::radial::{Radial, at};
+use crate::analysis::Channel;
+use crate::analysis::lobe::Arrow;
+use crate::analysis::polar::{self, Point, Section};
+use crate::ui::session::{Curves, Session};
+use crate::ui::widgets::draw;
+use crate::ui::{format, theme};
+
+/// Radius of the angle labels.
+const ANGLE_LABEL_RADIUS: f64 = 1.075;
+/// Radius of the names of directions.
+const NAME_RADIUS: f64 = 1.15;
+/// Spacing of the angle rays.
+const RAY_STEP_DEG: i32 = 15;
+
+fn line<'a>(points: impl IntoIterator<Item = [f64; 2]>, stroke: impl Into<Stroke>) -> Line<'a> {
+    Line::new("", PlotPoints::from_iter(points))
+        .stroke(stroke)
+        .allow_hover(false)
+}
+
+pub(super) fn draw_grid(
+    plot_ui: &mut PlotUi<'_>,
+    radial: &Radial,
+    palette: &theme::Palette,
+    has_lower: bool,
+) {
+    let sweep = if has_lower { PI } else { FRAC_PI_2 };
+    for tick in &radial.ticks {
+        let radius = radial.radius(*tick);
+        let angles = (-90..=90).map(|i| f64::from(i) / 90.0 * sweep);
+        plot_ui.line(line(
+            angles.map(|angle| at(radius, angle)),
+            (1.0, palette.grid),
+        ));
+    }
+    let limit: i32 = if has_lower { 180 } else { 90 };
+    for angle_deg in (-limit + RAY_STEP_DEG..limit).step_by(RAY_STEP_DEG as usize) {
+        let angle = f64::from(angle_deg).to_radians();
+        plot_ui.line(line([[0.0, 0.0], at(1.0, angle)], (1.0, palette.grid)));
+    }
+    plot_ui.line(line([[-1.0, 0.0], [1.0, 0.0]], (1.5, palette.axis)));
+}
+
+fn arcs(section: &Section) -> impl Iterator<Item = &Vec<Point>> {
+    [&section.upper, &section.lower]
+        .into_iter()
+        .filter(|arc| !arc.is_empty())
+}
+
+pub(super) fn draw_curves(
+    plot_ui: &mut PlotUi<'_>,
+    session: &Session,
+    section: &Section,
+    radial: &Radial,
+    palette: &theme::Palette,
+) {
+    for channel in session.curves.channels() {
+        let style = match channel {
+            Channel::Luminance | Channel::Red => LineStyle::Solid,
+            Channel::Green => LineStyle::dashed_loose(),
+            Channel::Blue => LineStyle::dotted_dense(),
+        };
+        for arc in arcs(section) {
+            let curve = arc
+                .iter()
+                .map(|point| at(radial.radius(channel.of(point.value)), point.angle));
+            let closed = [[0.0, 0.0]].into_iter().chain(curve).chain([[0.0, 0.0]]);
+            plot_ui.line(line(closed, theme::curve(palette.channel(*channel))).style(style));
+        }
+    }
+}
+
+/// The directions that are named: n, the held one and the mirror direction, with angle and colour.
+fn named_directions(
+    session: &Session,
+    palette: &theme::Palette,
+) -> [(&'static str, f64, Color32); 3] {
+    let azimuth = session.section_azimuth_deg().to_radians();
+    let held = polar::signed_angle(session.held(), azimuth);
+    [
+        (
+            "n",
+            if session.held().z < 0.0 { PI } else { 0.0 },
+            palette.ink,
+        ),
+        ("mirror", -held, palette.mirror),
+        (session.held_name(), held, palette.held(session.hold)),
+    ]
+}
+
+pub(super) fn draw_directions(
+    plot_ui: &mut PlotUi<'_>,
+    session: &Session,
+    palette: &theme::Palette,
+) {
+    plot_ui.line(line([[0.0, 0.0], [0.0, 1.0]], (1.5, palette.ink)));
+    for (name, angle, color) in named_directions(session, palette) {
+        let is_mirror = name == "mirror";
+        // Outside the section the directions are shown at their theta, but faintly: they do not lie in it.
+        let style = if is_mirror || !session.section_holds_held() {
+            LineStyle::dashed_dense()
+        } else {
+            LineStyle::Solid
+        };
+        if name != "n" {
+            plot_ui.line(
+                line(
+                    [[0.0, 0.0], at(1.0, angle)],
+                    (if is_mirror { 1.5 } else { 2.0 }, color),
+                )
+                .style(style),
+            );
+        }
+    }
+}
+
+/// The plot as a canvas for what has no place among its items.
+pub(super) struct Canvas<'a> {
+    pub(super) ui: &'a Ui,
+    pub(super) transform: &'a PlotTransform,
+}
+
+impl Canvas<'_> {
+    fn painter(&self) -> egui::Painter {
+        self.ui.painter_at(*self.transform.frame())
+    }
+
+    fn position(&self, radius: f64, angle: f64) -> Pos2 {
+        let [x, y] = at(radius, angle);
+        self.transform.position_from_point(&PlotPoint::new(x, y))
+    }
+
+    /// Tints the area inside the curve, as a fan about the origin: a lobe is star-shaped by construction.
+    pub(super) fn fill(
+        &self,
+        session: &Session,
+        section: &Section,
+        radial: &Radial,
+        palette: &theme::Palette,
+    ) {
+        if session.curves != Curves::Luminance {
+            return;
+        }
+        let color = theme::fill_of(palette.lobe);
+        for arc in arcs(section) {
+            let mut mesh = egui::Mesh::default();
+            mesh.colored_vertex(self.position(0.0, 0.0), color);
+            for (index, point) in arc.iter().enumerate() {
+                mesh.colored_vertex(
+                    self.position(
+                        radial.radius(Channel::Luminance.of(point.value)),
+                        point.angle,
+                    ),
+                    color,
+                );
+                if index > 0 {
+                    mesh.add_triangle(0, index as u32, index as u32 + 1);
+                }
+            }
+            self.painter().add(mesh);
+        }
+    }
+
+    pub(super) fn label_grid(&self, radial: &Radial, palette: &theme::Palette, has_lower: bool) {
+        let painter = self.painter();
+        let text = |position: Pos2, anchor: Align2, text: String| {
+            painter.text(
+                position,
+                anchor,
+                text,
+                draw::small_font(self.ui),
+                palette.faint_ink,
+            );
+        };
+        let limit: i32 = if has_lower { 180 } else { 90 };
+        for angle_deg in (-limit..=limit)
+            .step_by(RAY_STEP_DEG as usize)
+            .filter(|a| *a != -180)
+        {
+            let angle = f64::from(angle_deg).to_radians();
+            text(
+                self.position(ANGLE_LABEL_RADIUS, angle),
+                Align2::CENTER_CENTER,
+                format!("{}°", angle_deg.abs()),
+            );
+        }
+        let below = vec2(0.0, 4.0);
+        for tick in &radial.ticks {
+            let place = self.position(radial.radius(*tick), FRAC_PI_2) + below;
+            text(place, Align2::CENTER_TOP, format::value(*tick));
+        }
+        text(
+            self.position(0.5, -FRAC_PI_2) + below,
+            Align2::CENTER_TOP,
+            radial.quantity.to_owned(),
+        );
+    }
+
+    pub(super) fn name_directions(&self, session: &Session, palette: &theme::Palette) {
+        let painter = self.painter();
+        for (name, angle, color) in named_directions(session, palette) {
+            let position = self.position(NAME_RADIUS, angle);
+            // Outwards from the circle, so that the text stays clear of the angle labels.
+            let anchor = match angle.sin() {
+                x if x > 0.3 => Align2::LEFT_CENTER,
+                x if x < -0.3 => Align2::RIGHT_CENTER,
+                _ if angle.cos() < 0.0 => Align2::CENTER_TOP,
+                _ => Align2::CENTER_BOTTOM,
+            };
+            draw::haloed_text(
+                &painter,
+                position,
+                anchor,
+                name,
+                draw::body_font(self.ui),
+                color,
+                palette,
+            );
+        }
+    }
+
+    /// Deltas: an arrow of the share of the flux as its length, 1 at the unit circle.
+    pub(super) fn draw_arrows(
+        &self,
+        session: &Session,
+        arrows: &[Arrow],
+        palette: &theme::Palette,
+    ) {
+        let painter = self.painter();
+        let azimuth = session.section_azimuth_deg().to_radians();
+        for arrow in arrows {
+            let share = Channel::Luminance.of(arrow.flux);
+            let angle = polar::signed_angle(arrow.direction, azimuth);
+            let (from, to) = (self.position(0.0, 0.0), self.position(share, angle));
+            draw::arrow(&painter, from, to, palette.delta);
+            // Beside a long arrow, beyond the tip of a short one: either way clear of the horizon's numbers.
+            let place = if share > 0.4 {
+                self.position(0.45 * share, angle)
+            } else {
+                self.position(share + 0.2, angle)
+            };
+            let outwards = vec2(if angle > 0.0 { 10.0 } else { -10.0 }, 0.0);
+            let anchor = if angle > 0.0 {
+                Align2::LEFT_CENTER
+            } else {
+                Align2::RIGHT_CENTER
+            };
+            let text = format!("delta {share:.3}");
+            let place = place + outwards;
+            draw::haloed_text(
+                &painter,
+                place,
+                anchor,
+                &text,
+                draw::body_font(self.ui),
+                palette.delta,
+                palette,
+            );
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The polar plot: a section of the lobe through a plane that contains n.
+
+use egui::{Ui, vec2};
+use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
+
+use super::{Cursor, ViewContext, ViewSpec};
+use crate::analysis::lobe::Arrow;
+use crate::analysis::{Lobe, polar};
+use crate::bxdf::math::frame;
+use crate::ui::data::section_request;
+use crate::ui::session::Session;
+use crate::ui::widgets::draw;
+use canvas::Canvas;
+use radial::{Radial, at};
+
+mod canvas;
+mod radial;
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "polar",
+    title: "Polar plot",
+    what_you_see: "A section of the lobe through the normal n: the length of a ray is the value f in its direction",
+    show,
+};
+
+/// The room beside the plot's unit circle that labels need, and above it.
+const SIDE_ROOM: f64 = 0.4;
+const TOP_ROOM: f64 = 0.27;
+/// Below the horizon, where nothing is drawn but the labels of the scale.
+const LOWER_ROOM: f64 = 0.16;
+/// A delta whose azimuth is within this of the section is drawn in it.
+const IN_PLANE: f64 = 0.02;
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    let section = cx.data.section(cx.session);
+    let arrows: Vec<Arrow> = cx
+        .data
+        .arrows(cx.session)
+        .iter()
+        .copied()
+        .filter(|a| is_in_section(cx.session, a))
+        .collect();
+    let radial = Radial::of(cx.session, &section);
+    let held = cx.session.held();
+    let has_lower =
+        !section.lower.is_empty() || held.z < 0.0 || arrows.iter().any(|a| a.direction.z < 0.0);
+    let window = window(ui.available_size(), has_lower);
+    let plot = Plot::new(("polar", has_lower, ui.available_size().round().to_string()))
+        .data_aspect(1.0)
+        .show_axes(false)
+        .show_grid(false)
+        .show_x(false)
+        .show_y(false)
+        .show_crosshair(false)
+        .show_background(false)
+        .allow_boxed_zoom(false)
+        .set_margin_fraction(vec2(0.0, 0.0))
+        .default_x_bounds(window.min()[0], window.max()[0])
+        .default_y_bounds(window.min()[1], window.max()[1])
+        .label_formatter(|_| None);
+    let palette = *cx.palette;
+    let response = plot.show(ui, |plot_ui| {
+        canvas::draw_grid(plot_ui, &radial, &palette, has_lower);
+        canvas::draw_curves(plot_ui, cx.session, &section, &radial, &palette);
+        canvas::draw_directions(plot_ui, cx.session, &palette);
+    });
+    let canvas = Canvas {
+        ui,
+        transform: &response.transform,
+    };
+    canvas.fill(cx.session, &section, &radial, &palette);
+    canvas.label_grid(&radial, &palette, has_lower);
+    canvas.name_directions(cx.session, &palette);
+    canvas.draw_arrows(cx.session, &arrows, &palette);
+    let transform = response.transform;
+    let is_dragging = drag_held(ui, cx, &transform);
+    if !is_dragging {
+        read_out(ui, cx, &response.response, &transform, &radial);
+    }
+}
+
+/// The smallest part of the plot's plane of this shape that holds the circle (or its upper half) with its labels.
+fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
+    let (right, top) = (1.0 + SIDE_ROOM, 1.0 + TOP_ROOM);
+    let bottom = if has_lower { -top } else { -LOWER_ROOM };
+    let (width, height) = (f64::from(size.x.max(1.0)), f64::from(size.y.max(1.0)));
+    let per_point = (2.0 * right / width).max((top - bottom) / height);
+    let (half_width, half_height) = (0.5 * width * per_point, 0.5 * height * per_point);
+    let middle = f64::midpoint(top, bottom);
+    PlotBounds::from_min_max(
+        [-half_width, middle - half_height],
+        [half_width, middle + half_height],
+    )
+}
+
+fn is_in_section(session: &Session, arrow: &Arrow) -> bool {
+    let (sin, cos) = session.section_azimuth_deg().to_radians().sin_cos();
+    (arrow.direction.y * cos - arrow.direction.x * sin).abs() < IN_PLANE
+}
+
+/// The handle of the held direction. Returns whether it is being dragged.
+fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bool {
+    let azimuth = cx.session.section_azimuth_deg().to_radians();
+    let angle = polar::signed_angle(cx.session.held(), azimuth);
+    let [x, y] = at(1.0, angle);
+    let tip = transform.position_from_point(&PlotPoint::new(x, y));
+    let handle = draw::handle(
+        ui,
+        tip,
+        ui.scope_id().with("held"),
+        "Held direction in the polar plot",
+        cx.palette.held(cx.session.hold),
+        cx.palette,
+    );
+    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
+        let place = transform.value_from_position(pointer);
+        let angle = place.x.atan2(place.y);
+        if cx.session.section_holds_held() {
+            cx.session.set_held(polar::direction(angle, azimuth));
+        } else {
+            cx.session.theta_deg = (angle.abs().to_degrees() * 10.0).round() / 10.0;
+        }
+        ui.ctx().request_repaint();
+    }
+    handle.dragged()
+}
+
+/// The direction and value under the pointer.
+fn read_out(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    plot: &egui::Response,
+    transform: &PlotTransform,
+    radial: &Radial,
+) {
+    let Some(pointer) = plot.hover_pos() else {
+        return;
+    };
+    let place = transform.value_from_position(pointer);
+    let angle = place.x.atan2(place.y);
+    let surface = cx.data.surface(cx.session);
+    let request = section_request(cx.session);
+    let value = polar::value_at(
+        &Lobe::new(&**surface, cx.session.hold, cx.session.held()),
+        &request,
+        angle,
+    );
+    let w = polar::direction(angle, request.phi);
+    let cursor = Cursor {
+        theta_deg: frame::theta(w).to_degrees(),
+        phi_deg: frame::phi(w).to_degrees(),
+        value,
+    };
+    let painter = ui.painter_at(*transform.frame());
+    let position = |radius: f64| {
+        let [x, y] = at(radius, angle);
+        transform.position_from_point(&PlotPoint::new(x, y))
+    };
+    painter.line_segment([position(0.0), position(1.0)], (1.0, cx.palette.faint_ink));
+    for channel in cx.session.curves.channels() {
+        let tip = position(radial.radius(channel.of(value)).min(1.0));
+        painter.circle(
+            tip,
+            4.0,
+            cx.palette.channel(*channel),
+            (1.5, cx.palette.background),
+        );
+    }
+    draw::pointer_note(
+        ui,
+        pointer,
+        *transform.frame(),
+        &draw::cursor_text(&cursor, cx.session),
+        cx.palette,
+    );
+    *cx.cursor = Some(cursor);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_shape_of_window_holds_the_circle() {
+        for size in [vec2(480.0, 360.0), vec2(300.0, 700.0), vec2(900.0, 200.0)] {
+            for has_lower in [false, true] {
+                let bounds = window(size, has_lower);
+                let ([left, low], [right, high]) = (bounds.min(), bounds.max());
+                assert!(
+                    left <= -1.399 && right >= 1.399 && high >= 1.269,
+                    "{size:?}"
+                );
+                assert!(low <= if has_lower { -1.269 } else { -0.159 }, "{size:?}");
+                let shape = (right - left) / (high - low);
+                assert!(
+                    (shape / f64::from(size.x / size.y) - 1.0).abs() < 1e-6,
+                    "circles are round"
+                );
+            }
+        }
+    }
+}
