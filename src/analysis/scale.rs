@@ -20,6 +20,17 @@ pub enum Channel {
 }
 
 impl Channel {
+    /// Its letter; the luminance is no channel among others and has none.
+    #[must_use]
+    pub fn symbol(self) -> Option<&'static str> {
+        match self {
+            Self::Luminance => None,
+            Self::Red => Some("R"),
+            Self::Green => Some("G"),
+            Self::Blue => Some("B"),
+        }
+    }
+
     /// The number of `rgb` that this channel shows.
     #[must_use]
     pub fn of(self, rgb: [f64; 3]) -> f64 {

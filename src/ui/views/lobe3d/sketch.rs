@@ -13,6 +13,9 @@ use crate::ui::session::Session;
 use crate::ui::theme::{self, Palette};
 use crate::ui::widgets::draw;
 
+/// Directions nearer than this share one name.
+const NAME_SPACING: f32 = 0.2;
+
 /// What is painted over the scene.
 pub(super) struct Sketch<'a> {
     pub(super) ui: &'a Ui,
@@ -61,7 +64,10 @@ impl Sketch<'_> {
             let place = (arrow.direction * share.max(0.3) * 0.62).as_vec3();
             self.name(place, &format!("delta {share:.3}"), self.palette.delta);
         }
-        self.name(mirror * 1.12, "mirror", self.palette.mirror);
+        // Near n the two names would overlap, and the held direction is its own mirror direction.
+        if held.distance(mirror) > NAME_SPACING {
+            self.name(mirror * 1.12, "mirror", self.palette.mirror);
+        }
         self.name(
             held * 1.17,
             session.held_name(),

@@ -11,6 +11,9 @@ use crate::ui::theme;
 /// The largest radius of the lobe: a little less than the dome's, or the two surfaces would flicker into each other.
 const LARGEST_RADIUS: f64 = 0.96;
 
+/// Width of the line inside the lobe, in points.
+const SPINE_WIDTH: f32 = 1.5;
+
 /// The lobe's surface in the scene's coordinates.
 #[derive(Default)]
 pub(super) struct DrawnLobe {
@@ -93,6 +96,20 @@ impl DrawnLobe {
         scene
             .opaque
             .append(&vertices, self.triangles.iter().copied().flatten());
+        self.add_spine(scene);
+    }
+
+    /// A line to the highest tip: inside a lobe of some width it is hidden, of a lobe thinner than a pixel it is what
+    /// remains to be seen.
+    fn add_spine(&self, scene: &mut Scene) {
+        let highest = self
+            .radii
+            .iter()
+            .zip(&self.tips)
+            .max_by(|a, b| a.0.total_cmp(b.0));
+        if let Some((radius, tip)) = highest.filter(|(radius, _)| **radius > 0.0) {
+            scene.add_line(Vec3::ZERO, *tip, theme::viridis(*radius), SPINE_WIDTH);
+        }
     }
 
     /// How far along `ray`, in units of its direction, the surface is first met (Moeller & Trumbore 1997).

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use egui::{Align2, Color32, Pos2, Stroke, Ui, vec2};
+use egui::{Align2, Color32, Pos2, Shape, Stroke, Ui, vec2};
 use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
 use super::radial::{Radial, at};
@@ -17,6 +17,8 @@ use crate::ui::{format, theme};
 const ANGLE_LABEL_RADIUS: f64 = 1.075;
 /// Radius of the names of directions.
 const NAME_RADIUS: f64 = 1.15;
+/// Names nearer to one another than this, in radians, would overlap.
+const NAME_SPACING: f64 = 0.16;
 /// Spacing of the angle rays.
 const RAY_STEP_DEG: i32 = 15;
 
@@ -55,6 +57,15 @@ fn arcs(section: &Section) -> impl Iterator<Item = &Vec<Point>> {
         .filter(|arc| !arc.is_empty())
 }
 
+/// The line of a channel's curve: colour never carries meaning alone.
+fn style(channel: Channel) -> LineStyle {
+    match channel {
+        Channel::Luminance | Channel::Red => LineStyle::Solid,
+        Channel::Green => LineStyle::dashed_loose(),
+        Channel::Blue => LineStyle::dotted_dense(),
+    }
+}
+
 pub(super) fn draw_curves(
     plot_ui: &mut PlotUi<'_>,
     session: &Session,
@@ -63,11 +74,7 @@ pub(super) fn draw_curves(
     palette: &theme::Palette,
 ) {
     for channel in session.curves.channels() {
-        let style = match channel {
-            Channel::Luminance | Channel::Red => LineStyle::Solid,
-            Channel::Green => LineStyle::dashed_loose(),
-            Channel::Blue => LineStyle::dotted_dense(),
-        };
+        let style = style(*channel);
         for arc in arcs(section) {
             let curve = arc
                 .iter()
@@ -78,7 +85,7 @@ pub(super) fn draw_curves(
     }
 }
 
-/// The directions that are named: n, the held one and the mirror direction, with angle and colour.
+/// The directions that are named, by importance: the held one, the mirror direction and n, with angle and colour.
 fn named_directions(
     session: &Session,
     palette: &theme::Palette,
@@ -86,13 +93,9 @@ fn named_directions(
     let azimuth = session.section_azimuth_deg().to_radians();
     let held = polar::signed_angle(session.held(), azimuth);
     [
-        (
-            "n",
-            if session.held().z < 0.0 { PI } else { 0.0 },
-            palette.ink,
-        ),
-        ("mirror", -held, palette.mirror),
         (session.held_name(), held, palette.held(session.hold)),
+        ("mirror", -held, palette.mirror),
+        ("n", 0.0, palette.ink),
     ]
 }
 
@@ -206,7 +209,16 @@ impl Canvas<'_> {
 
     pub(super) fn name_directions(&self, session: &Session, palette: &theme::Palette) {
         let painter = self.painter();
+        let mut taken: Vec<f64> = Vec::new();
         for (name, angle, color) in named_directions(session, palette) {
+            // Where directions fall together, the first named stands for all.
+            if taken
+                .iter()
+                .any(|other| (angle - other).abs() < NAME_SPACING)
+            {
+                continue;
+            }
+            taken.push(angle);
             let position = self.position(NAME_RADIUS, angle);
             // Outwards from the circle, so that the text stays clear of the angle labels.
             let anchor = match angle.sin() {
@@ -223,6 +235,37 @@ impl Canvas<'_> {
                 draw::body_font(self.ui),
                 color,
                 palette,
+            );
+        }
+    }
+
+    /// The names of the curves, where there are several.
+    pub(super) fn name_curves(&self, session: &Session, palette: &theme::Palette) {
+        let corner = self.transform.frame().left_top() + vec2(8.0, 10.0);
+        for (row, channel) in session.curves.channels().iter().enumerate() {
+            let Some(name) = channel.symbol() else {
+                continue;
+            };
+            let left = corner + vec2(0.0, 16.0 * row as f32);
+            let points = [left, left + vec2(26.0, 0.0)];
+            let stroke = theme::curve(palette.channel(*channel));
+            let painter = self.painter();
+            match channel {
+                Channel::Green => painter.extend(Shape::dashed_line(&points, stroke, 7.0, 5.0)),
+                Channel::Blue => {
+                    painter.extend(Shape::dotted_line(&points, stroke.color, 5.0, 1.6))
+                }
+                Channel::Luminance | Channel::Red => {
+                    painter.line_segment(points, stroke);
+                }
+            }
+            let place = left + vec2(32.0, 0.0);
+            painter.text(
+                place,
+                Align2::LEFT_CENTER,
+                name,
+                draw::small_font(self.ui),
+                palette.ink,
             );
         }
     }

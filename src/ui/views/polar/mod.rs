@@ -72,6 +72,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     canvas.fill(cx.session, &section, &radial, &palette);
     canvas.label_grid(&radial, &palette, has_lower);
     canvas.name_directions(cx.session, &palette);
+    canvas.name_curves(cx.session, &palette);
     canvas.draw_arrows(cx.session, &arrows, &palette);
     let transform = response.transform;
     let is_dragging = drag_held(ui, cx, &transform);
