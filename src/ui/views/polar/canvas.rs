@@ -253,7 +253,7 @@ impl Canvas<'_> {
             match channel {
                 Channel::Green => painter.extend(Shape::dashed_line(&points, stroke, 7.0, 5.0)),
                 Channel::Blue => {
-                    painter.extend(Shape::dotted_line(&points, stroke.color, 5.0, 1.6))
+                    painter.extend(Shape::dotted_line(&points, stroke.color, 5.0, 1.6));
                 }
                 Channel::Luminance | Channel::Red => {
                     painter.line_segment(points, stroke);
