@@ -16,7 +16,10 @@ pub fn show(ui: &mut Ui, material: &mut Material) {
                 .filter(|model| model.category() == category)
             {
                 let is_chosen = model.id == material.model().id;
-                let hint = format!("{}\n\n{}", model.summary, model.source);
+                let hint = format!(
+                    "{}\n\n{}\n\nR: reflects, T: transmits",
+                    model.summary, model.source
+                );
                 if ui
                     .selectable_label(is_chosen, title(model))
                     .on_hover_text(hint)

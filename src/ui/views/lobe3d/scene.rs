@@ -95,7 +95,9 @@ fn add_directions(scene: &mut Scene, session: &Session, arrows: &[Arrow], palett
         rgba(palette.held(session.hold), 255),
         3.0,
     );
-    scene.add_dashed(Vec3::ZERO, mirror.as_vec3(), rgba(palette.mirror, 255), 2.0);
+    let (mirror, color) = (mirror.as_vec3(), rgba(palette.mirror, 255));
+    scene.add_dashed(Vec3::ZERO, mirror * 0.9, color, 2.0);
+    scene.add_arrow(mirror * 0.9, mirror, color, 2.0);
     for arrow in arrows {
         let length = Channel::Luminance.of(arrow.flux);
         scene.add_arrow(

@@ -7,11 +7,15 @@ use super::surface::DrawnLobe;
 use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use crate::analysis::lobe::Arrow;
 use crate::analysis::{Channel, RadialScale};
+use crate::bxdf::math::frame;
 use crate::ui::format;
 use crate::ui::scene3d::{OrbitCamera, Ray};
 use crate::ui::session::Session;
 use crate::ui::theme::{self, Palette};
 use crate::ui::widgets::draw;
+
+/// Spacing of the labels of the degree grid.
+const GRID_STEP_DEG: f64 = 30.0;
 
 /// Directions nearer than this share one name.
 const NAME_SPACING: f32 = 0.2;
@@ -78,7 +82,37 @@ impl Sketch<'_> {
         }
     }
 
+    /// The degrees of the grid: phi along the horizon, theta along the meridian that faces the viewer.
+    fn label_grid(&self) {
+        let place = |theta_deg: f64, phi_deg: f64, radius: f64| {
+            (frame::direction_from_degrees(theta_deg, phi_deg) * radius).as_vec3()
+        };
+        let eye = self.camera.eye().as_dvec3();
+        let facing = (frame::phi(eye).to_degrees() / GRID_STEP_DEG).round() * GRID_STEP_DEG;
+        let label = |place: Vec3, degrees: f64| {
+            if let Some(position) = self.camera.project(place, self.rect) {
+                let painter = self.ui.painter_at(self.rect);
+                let (font, color) = (draw::small_font(self.ui), self.palette.faint_ink);
+                painter.text(
+                    position,
+                    Align2::CENTER_CENTER,
+                    format::degrees(degrees),
+                    font,
+                    color,
+                );
+            }
+        };
+        for step in 0..12 {
+            let phi = GRID_STEP_DEG * f64::from(step) - 150.0;
+            label(place(90.0, phi, 1.09), phi);
+        }
+        for theta in [GRID_STEP_DEG, 2.0 * GRID_STEP_DEG] {
+            label(place(theta, facing, 1.03), theta);
+        }
+    }
+
     fn label_geometry(&self, session: &Session) {
+        self.label_grid();
         let held = session.held().as_vec3();
         let flat = Vec3::new(held.x, held.y, 0.0);
         let color = self.palette.geometry;
