@@ -12,8 +12,10 @@ use crate::bxdf::{Bxdf, Side};
 pub enum Hold {
     /// `wi` is held: the lobe is f(wo, wi) over `wo`, where the light of one lamp goes.
     #[default]
+    #[serde(alias = "wi")]
     Light,
     /// `wo` is held: the lobe is f(wo, wi) over `wi`, whence one viewer gets light.
+    #[serde(alias = "wo")]
     Viewer,
 }
 

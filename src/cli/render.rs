@@ -22,7 +22,7 @@ pub struct Arguments {
     /// The session to start from
     #[arg(long, value_name = "FILE")]
     session: Option<PathBuf>,
-    /// A material to show: id or id:name=value,name=value; may be repeated
+    /// The material to show: id or id:name=value,name=value
     #[arg(long = "material", value_name = "MATERIAL")]
     materials: Vec<Material>,
     /// The direction held while the lobe is drawn over the other: wi or wo
@@ -154,7 +154,7 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
 /// The session to draw: the file's or the start, changed by what else was asked for.
 #[cfg(feature = "gui")]
 fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
-    use crate::ui::session::Session;
+    use crate::ui::session::{Session, wrapped_deg};
 
     let mut session = match &request.session {
         None => Session::default(),
@@ -179,7 +179,7 @@ fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
     }
     if let Some([theta_deg, phi_deg]) = request.direction_deg {
         session.theta_deg = theta_deg;
-        session.phi_deg = phi_deg;
+        session.phi_deg = wrapped_deg(phi_deg);
     }
     Ok(session)
 }

@@ -9,6 +9,7 @@ use super::theme::{self, Palette};
 use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
 use super::widgets::{directions, params, picker, status};
 use crate::analysis::RadialScale;
+use crate::bxdf::Material;
 
 /// The line that says what to try first.
 const FIRST_STEP: &str = "Try this: drag the round handle of the light, then pick another kind of reflection on the left";
@@ -21,6 +22,8 @@ pub struct App {
     state: ViewState,
     cursor: Option<Cursor>,
     only: Option<&'static ViewSpec>,
+    /// Materials looked at before: their sliders stand as they were left.
+    shelf: Vec<Material>,
 }
 
 impl App {
@@ -44,6 +47,7 @@ impl App {
             state: ViewState::default(),
             cursor: None,
             only,
+            shelf: Vec::new(),
         }
     }
 
@@ -63,7 +67,7 @@ impl App {
             .auto_shrink([false, false])
             .show(ui, |ui| {
                 ui.add_space(4.0);
-                picker::show(ui, &mut self.session.material);
+                picker::show(ui, &mut self.session.material, &mut self.shelf);
                 ui.separator();
                 let model = self.session.material.model();
                 ui.label(RichText::new(model.title).strong())
@@ -95,6 +99,7 @@ impl eframe::App for App {
             return;
         }
         self.data.begin_frame();
+        self.state.begin_frame();
         let before = self.cursor.take();
         if let Some(view) = self.only {
             let frame = egui::Frame::NONE.fill(palette.background);
@@ -133,11 +138,13 @@ impl eframe::App for App {
 
 /// The bar at the top: what to try first, and how values are drawn in all views.
 fn display_options(ui: &mut Ui, session: &mut Session) {
-    ui.horizontal_wrapped(|ui| {
+    ui.horizontal(|ui| {
         ui.label(RichText::new("BRDF Explorer").heading());
-        ui.label(RichText::new(FIRST_STEP).weak());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             theme_choice(ui);
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                ui.add(egui::Label::new(RichText::new(FIRST_STEP).weak()).truncate());
+            });
         });
     });
     ui.horizontal_wrapped(|ui| {

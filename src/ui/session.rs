@@ -88,7 +88,7 @@ impl Session {
     /// # Errors
     /// [`Error::Parse`] where the text is no session or an angle is out of range.
     pub fn from_toml(text: &str, place: &str) -> Result<Self> {
-        let session: Self = toml::from_str(text).map_err(|error| {
+        let mut session: Self = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| {
                 text.get(..span.start)
                     .unwrap_or_default()
@@ -120,6 +120,8 @@ impl Session {
                 ));
             }
         }
+        session.phi_deg = wrapped_deg(session.phi_deg);
+        session.rotation_deg = wrapped_deg(session.rotation_deg);
         Ok(session)
     }
 
@@ -143,9 +145,14 @@ impl Session {
         self.theta_deg = tenth(frame::theta(w));
         // Along n the azimuth is of no effect: the old one stays, so that the plots do not jump.
         if w.x.hypot(w.y) > 1e-3 {
-            let phi_deg = tenth(frame::phi(w));
-            self.phi_deg = if phi_deg == -180.0 { 180.0 } else { phi_deg };
+            self.phi_deg = wrapped_deg(tenth(frame::phi(w)));
         }
+    }
+
+    /// Whether the views show what is below the surface: where light can cross it, or comes from below.
+    #[must_use]
+    pub fn shows_lower_half(&self) -> bool {
+        self.material.model().transmits() || self.theta_deg > 90.0
     }
 
     /// The azimuth of the polar plot's section, in degrees, -90 (excluded) to 90: the half that is drawn to the right.
@@ -173,6 +180,13 @@ impl Session {
             Hold::Viewer => "viewer",
         }
     }
+}
+
+/// The same azimuth, in degrees, from -180 (excluded) to 180.
+#[must_use]
+pub fn wrapped_deg(angle_deg: f64) -> f64 {
+    let wrapped = (angle_deg + 180.0).rem_euclid(360.0) - 180.0;
+    if wrapped == -180.0 { 180.0 } else { wrapped }
 }
 
 #[cfg(test)]
@@ -207,6 +221,27 @@ mod tests {
             let line = Session::from_toml(text, "s.toml").unwrap_err().to_string();
             assert!(line.contains(expected) && !line.contains('\n'), "{line}");
         }
+    }
+
+    #[test]
+    fn azimuths_wrap() {
+        for (angle, wrapped) in [
+            (230.0, -130.0),
+            (-180.0, 180.0),
+            (180.0, 180.0),
+            (0.0, 0.0),
+            (-360.0, 0.0),
+        ] {
+            assert_eq!(wrapped_deg(angle), wrapped);
+        }
+        assert_eq!(
+            Session::from_toml("phi_deg = 230.0", "s").unwrap().phi_deg,
+            -130.0
+        );
+        assert_eq!(
+            Session::from_toml("hold = \"wo\"", "s").unwrap().hold,
+            Hold::Viewer
+        );
     }
 
     #[test]

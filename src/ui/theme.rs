@@ -1,6 +1,6 @@
 //! Every colour and size of the window.
 
-use egui::{Color32, FontFamily, FontId, Stroke, TextStyle, Theme, Vec2};
+use egui::{Color32, FontFamily, FontId, TextStyle, Theme, Vec2};
 
 use super::scene3d::Rgba;
 use crate::analysis::{Channel, Hold};
@@ -8,7 +8,7 @@ use crate::analysis::{Channel, Hold};
 /// The size of the window at first, in points.
 pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);
 /// The smallest size of the window, in points.
-pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(760.0, 480.0);
+pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(920.0, 600.0);
 /// Below this size, in points, the panels leave no room for the views.
 pub const USABLE_SIZE: Vec2 = Vec2::new(400.0, 240.0);
 /// The width of the panel with models and parameters.
@@ -19,6 +19,8 @@ pub const COMBO_WIDTH: f32 = 118.0;
 pub const CURVE_WIDTH: f32 = 2.0;
 /// Radius of a handle that can be dragged.
 pub const HANDLE_RADIUS: f32 = 7.0;
+/// Alpha of a lobe one sees through, 0..255.
+pub const SEE_THROUGH_ALPHA: u8 = 120;
 /// Alpha of the area under a curve, 0..255.
 const FILL_ALPHA: u8 = 30;
 
@@ -197,22 +199,8 @@ pub fn color_of_linear([r, g, b]: [f64; 3]) -> Color32 {
     egui::Rgba::from_rgb(r as f32, g as f32, b as f32).into()
 }
 
-/// The line of a curve.
-#[must_use]
-pub fn curve(color: Color32) -> Stroke {
-    Stroke::new(CURVE_WIDTH, color)
-}
-
-/// Sets fonts, text sizes and spacing for both themes.
+/// Sets text sizes and spacing for both themes.
 pub fn apply(ctx: &egui::Context) {
-    let mut fonts = egui::FontDefinitions::default();
-    // The arrows and mathematical signs that the text font lacks.
-    fonts
-        .families
-        .entry(FontFamily::Proportional)
-        .or_default()
-        .push("Hack".to_owned());
-    ctx.set_fonts(fonts);
     ctx.all_styles_mut(|style| {
         let font = |size: f32| FontId::new(size, FontFamily::Proportional);
         style.text_styles.insert(TextStyle::Heading, font(17.0));

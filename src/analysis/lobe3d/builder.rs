@@ -22,7 +22,7 @@ const INTEGRAL_TOLERANCE: f64 = 5e-5;
 const SHORTEST: f64 = 1e-7;
 
 /// The mesh stops growing at this many triangles; a lobe needs some thousands.
-const MAX_TRIANGLES: usize = 16_000;
+const MAX_TRIANGLES: usize = 30_000;
 
 /// At most this many rounds of halving; the narrowest lobe takes about 20.
 const MAX_ROUNDS: u32 = 32;

@@ -52,6 +52,30 @@ pub struct ViewContext<'a> {
 #[derive(Default)]
 pub struct ViewState {
     drawing: lobe3d::DrawingMemo,
+    is_dragging: bool,
+    kept_lower_half: Option<bool>,
+}
+
+impl ViewState {
+    /// To be called before the views of a frame are drawn.
+    pub fn begin_frame(&mut self) {
+        if !std::mem::take(&mut self.is_dragging) {
+            self.kept_lower_half = None;
+        }
+    }
+
+    /// Whether the views show what is below the surface. While the held direction is dragged they stay as they were:
+    /// a plot that rearranged itself under the pointer would make the angle jump.
+    fn shows_lower_half(&self, session: &Session) -> bool {
+        self.kept_lower_half
+            .unwrap_or_else(|| session.shows_lower_half())
+    }
+
+    /// Keeps the arrangement `has_lower` through the next frame.
+    fn keep_arrangement(&mut self, has_lower: bool) {
+        self.is_dragging = true;
+        self.kept_lower_half = Some(has_lower);
+    }
 }
 
 /// A direction under the pointer, with the value of the lobe there.

@@ -2,10 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{Grid, RichText, ScrollArea, Slider, Ui};
+use egui::{Grid, RichText, ScrollArea, Slider, SliderClamping, Ui};
 
 use crate::analysis::Hold;
-use crate::ui::session::Session;
+use crate::ui::session::{Session, wrapped_deg};
 
 /// The panel; it changes the session.
 pub fn show(ui: &mut Ui, session: &mut Session) {
@@ -15,28 +15,30 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
 }
 
 fn grid(ui: &mut Ui, session: &mut Session) {
-    Grid::new("directions").num_columns(3).spacing([12.0, 3.0]).show(ui, |ui| {
+    Grid::new("directions").num_columns(5).spacing([12.0, 3.0]).show(ui, |ui| {
         hold(ui, session);
         let hint = "Polar angle of the held direction from the normal n";
         angle(ui, "θ from n", &mut session.theta_deg, 0.0..=180.0, hint);
         trigonometry(ui, "θ", session.theta_deg);
         ui.end_row();
 
-        ui.weak(if session.hold == Hold::Light { "f over all wo" } else { "f over all wi" });
+        ui.weak(match session.hold {
+            Hold::Light => "f over all viewers (wo)",
+            Hold::Viewer => "f over all lights (wi)",
+        });
         let hint = "Azimuth of the held direction from the axis s";
-        angle(ui, "φ from s", &mut session.phi_deg, -180.0..=180.0, hint);
+        turning(ui, "φ from s", &mut session.phi_deg, hint);
         trigonometry(ui, "φ", session.phi_deg);
         ui.end_row();
 
-        ui.label("");
-        let hint =
-            "Turns the surface with its axes under the fixed directions: an isotropic lobe stays, an anisotropic one turns";
-        angle(ui, "Rotate surface about n", &mut session.rotation_deg, -180.0..=180.0, hint);
         ui.weak(if session.material.is_isotropic() {
-            "Isotropic: the lobe stays as it is"
+            "Isotropic lobe: stays"
         } else {
-            "Anisotropic: the lobe turns with the surface"
+            "Anisotropic lobe: turns"
         });
+        let hint = "Turns the surface with its own axes (see its brush lines) under the fixed directions and the axes s and t: \
+                    an isotropic lobe stays as it is, an anisotropic one turns";
+        turning(ui, "Rotate surface about n", &mut session.rotation_deg, hint);
         ui.end_row();
     });
 }
@@ -64,10 +66,30 @@ fn angle(ui: &mut Ui, label: &str, value: &mut f64, range: RangeInclusive<f64>, 
     ui.add(slider).on_hover_text(hint);
 }
 
+/// An angle of a full turn: a typed 230 is -130.
+fn turning(ui: &mut Ui, label: &str, value: &mut f64, hint: &str) {
+    let slider = Slider::new(value, -180.0..=180.0)
+        .clamping(SliderClamping::Never)
+        .suffix("°")
+        .max_decimals(4)
+        .step_by(0.1)
+        .text(label);
+    if ui.add(slider).on_hover_text(hint).changed() && value.abs() > 180.0 {
+        *value = wrapped_deg(*value);
+    }
+}
+
 fn trigonometry(ui: &mut Ui, name: &str, angle_deg: f64) {
-    let [cos, sin, tan] = cos_sin_tan(angle_deg);
-    let text = format!("cos {name} {cos} sin {name} {sin} tan {name} {tan}");
-    ui.label(RichText::new(text).monospace().small());
+    for (function, number) in ["cos", "sin", "tan"]
+        .into_iter()
+        .zip(cos_sin_tan(angle_deg))
+    {
+        ui.label(
+            RichText::new(format!("{function} {name} {number}"))
+                .monospace()
+                .small(),
+        );
+    }
 }
 
 /// Cosine, sine and tangent as text; the tangent of a right angle is infinite.

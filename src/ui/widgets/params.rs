@@ -75,20 +75,20 @@ fn slider(ui: &mut Ui, spec: &ParamSpec, number: &mut f64) {
     let [hard_low, hard_high] = spec.hard;
     // The slider covers the soft range; a typed number may lie anywhere in the hard one.
     let widest = low.min(*number)..=high.max(*number);
-    let response = ui.add(
-        Slider::from_get_set(widest, |typed| {
-            if let Some(typed) = typed {
-                *number = typed.clamp(hard_low, hard_high);
-            }
-            *number
-        })
-        .logarithmic(spec.scale == Scale::Logarithmic)
-        .clamping(egui::SliderClamping::Never)
-        .max_decimals(4)
-        .suffix(if spec.unit == "degrees" { "°" } else { "" })
-        .text(spec.label()),
-    );
-    response.on_hover_text(hint(spec));
+    let slider = Slider::from_get_set(widest, |typed| {
+        if let Some(typed) = typed {
+            *number = typed.clamp(hard_low, hard_high);
+        }
+        *number
+    })
+    .logarithmic(spec.scale == Scale::Logarithmic)
+    .clamping(egui::SliderClamping::Never)
+    .max_decimals(4)
+    .suffix(if spec.unit == "degrees" { "°" } else { "" })
+    .text(spec.label());
+    // The slider's text has no tooltip of its own: the whole row shows it.
+    let row = ui.scope(|ui| ui.add(slider)).response;
+    row.on_hover_text(hint(spec));
 }
 
 fn channels(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {
@@ -106,6 +106,7 @@ fn channels(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {
     for (channel, name) in rgb.iter_mut().zip(names) {
         let speed = 0.005 * (spec.soft[1] - spec.soft[0]);
         let field = DragValue::new(channel)
+            .prefix(format!("{name} "))
             .range(spec.hard[0]..=spec.hard[1])
             .speed(speed)
             .max_decimals(3);

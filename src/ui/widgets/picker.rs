@@ -5,8 +5,9 @@ use egui::{RichText, Ui};
 use crate::bxdf::models::MODELS;
 use crate::bxdf::{Category, Material, ModelSpec, Side};
 
-/// The list of models; choosing one replaces the material.
-pub fn show(ui: &mut Ui, material: &mut Material) {
+/// The list of models; choosing one replaces the material by the one of that model last put on the `shelf`, or by the
+/// model's defaults, and puts the old one there.
+pub fn show(ui: &mut Ui, material: &mut Material, shelf: &mut Vec<Material>) {
     for category in Category::ALL {
         ui.label(RichText::new(category.title()).strong())
             .on_hover_text(category.meaning());
@@ -26,7 +27,10 @@ pub fn show(ui: &mut Ui, material: &mut Material) {
                     .clicked()
                     && !is_chosen
                 {
-                    *material = Material::of(model);
+                    let kept = shelf.iter().position(|kept| kept.model().id == model.id);
+                    let next =
+                        kept.map_or_else(|| Material::of(model), |index| shelf.swap_remove(index));
+                    shelf.push(std::mem::replace(material, next));
                 }
             }
         });

@@ -1,5 +1,6 @@
 //! The 3D lobe: the lobe as a surface over the sphere of directions, in the frame s, t, n.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use egui::{Rect, Role, Sense, Ui, WidgetInfo, vec2};
@@ -48,9 +49,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
     let mesh = cx.data.mesh(cx.session);
     let arrows = cx.data.arrows(cx.session);
-    let has_lower = mesh.vertices.iter().any(|v| v.direction.z < 0.0)
-        || arrows.iter().any(|arrow| arrow.direction.z < 0.0)
-        || cx.session.theta_deg > 90.0;
+    let has_lower = cx.state.shows_lower_half(cx.session);
     move_camera(ui, &response, cx.session);
     let camera = centred(&cx.session.camera, has_lower);
     let drawing = scene::drawing(ui, cx, &mesh, &arrows, has_lower);
@@ -67,12 +66,15 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         rect,
         camera: &camera,
         palette: cx.palette,
+        taken: RefCell::default(),
     };
     sketch.name_axes(&drawing.lobe);
     sketch.label(cx.session, &arrows);
     sketch.legend(drawing.lobe.peak, cx.session);
     home_buttons(ui, rect, cx.session);
-    if !drag_held(ui, cx, rect, &camera) && !response.dragged() {
+    if drag_held(ui, cx, rect, &camera) {
+        cx.state.keep_arrangement(has_lower);
+    } else if !response.dragged() {
         read_out(ui, cx, &response, &drawing.lobe, &camera);
     }
 }
@@ -172,6 +174,8 @@ fn read_out(
     let Some(direction) = hit.and_then(DVec3::try_normalize) else {
         return;
     };
+    ui.painter_at(response.rect)
+        .circle_stroke(pointer, 4.0, (1.5, cx.palette.ink));
     let surface = cx.data.surface(cx.session);
     let lobe = Lobe::new(&**surface, cx.session.hold, cx.session.held());
     let cosine = if cx.session.with_cosine {

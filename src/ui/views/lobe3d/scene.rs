@@ -11,10 +11,16 @@ use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use crate::analysis::Channel;
 use crate::analysis::lobe::Arrow;
 use crate::analysis::lobe3d::Mesh;
+use crate::bxdf::math::frame;
 use crate::ui::memo::Memo;
 use crate::ui::scene3d::{OrbitCamera, Scene};
 use crate::ui::session::Session;
 use crate::ui::theme::{Palette, rgba};
+
+/// Brush lines to either side of the middle one.
+const BRUSH_LINES: i32 = 6;
+/// Their alpha, 0..255: a hint, not a grid.
+const BRUSH_ALPHA: u8 = 50;
 
 /// What a drawing is made from.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,7 +59,8 @@ pub(super) fn drawing(
     cx.state.drawing.get(key, || {
         let lobe = DrawnLobe::of(mesh, session);
         let mut scene = Scene::default();
-        lobe.add_to(&mut scene);
+        lobe.add_to(&mut scene, session.show_geometry);
+        add_brush_lines(&mut scene, session, palette);
         add_frame(&mut scene, palette, has_lower);
         add_directions(&mut scene, session, arrows, palette);
         if session.show_geometry {
@@ -119,5 +126,21 @@ fn add_geometry(scene: &mut Scene, session: &Session, palette: &Palette) {
         scene.add_arc(Vec3::ZERO, Vec3::X, flat, ARC_RADIUS, color, 2.0);
         scene.add_arrow(Vec3::ZERO, flat, color, 2.0);
         scene.add_dashed(held, flat, color, 1.5);
+    }
+}
+
+/// Lines on the surface along its own s axis: they turn with it, and an anisotropic lobe with them.
+fn add_brush_lines(scene: &mut Scene, session: &Session, palette: &Palette) {
+    let (cos, sin) = frame::cos_sin_deg(session.rotation_deg);
+    let along = Vec3::new(cos as f32, sin as f32, 0.0);
+    let across = Vec3::new(-along.y, along.x, 0.0);
+    for line in -BRUSH_LINES..=BRUSH_LINES {
+        let offset = line as f32 / (BRUSH_LINES + 1) as f32;
+        let half = (1.0 - offset * offset).sqrt();
+        let (from, to) = (
+            across * offset - along * half,
+            across * offset + along * half,
+        );
+        scene.add_line(from, to, rgba(palette.axis, BRUSH_ALPHA), 1.0);
     }
 }

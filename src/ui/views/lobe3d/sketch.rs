@@ -1,5 +1,7 @@
 //! What is painted over the scene: names, angles and the legend of the colours.
 
+use std::cell::RefCell;
+
 use egui::{Align2, Color32, Pos2, Rect, Ui, vec2};
 use glam::Vec3;
 
@@ -26,23 +28,40 @@ pub(super) struct Sketch<'a> {
     pub(super) rect: Rect,
     pub(super) camera: &'a OrbitCamera,
     pub(super) palette: &'a Palette,
+    /// Where names stand already.
+    pub(super) taken: RefCell<Vec<Rect>>,
 }
 
 impl Sketch<'_> {
+    /// Writes `text` at `place`, or a line or two above or below where other names stand already.
     fn name(&self, place: Vec3, text: &str, color: Color32) {
-        if let Some(position) = self.camera.project(place, self.rect) {
-            let painter = self.ui.painter_at(self.rect);
-            let font = draw::body_font(self.ui);
-            draw::haloed_text(
-                &painter,
-                position,
-                Align2::CENTER_CENTER,
-                text,
-                font,
-                color,
-                self.palette,
-            );
-        }
+        let Some(position) = self.camera.project(place, self.rect) else {
+            return;
+        };
+        let painter = self.ui.painter_at(self.rect);
+        let font = draw::body_font(self.ui);
+        let size = painter
+            .layout_no_wrap(text.to_owned(), font.clone(), color)
+            .size()
+            + vec2(6.0, 2.0);
+        let line = |shift: f32| Rect::from_center_size(position + vec2(0.0, shift * size.y), size);
+        let mut taken = self.taken.borrow_mut();
+        let is_free = |rect: &Rect| taken.iter().all(|other| !other.intersects(*rect));
+        let rect = [0.0, -1.0, 1.0, -2.0, 2.0]
+            .map(line)
+            .into_iter()
+            .find(is_free)
+            .unwrap_or_else(|| line(0.0));
+        taken.push(rect);
+        draw::haloed_text(
+            &painter,
+            rect.center(),
+            Align2::CENTER_CENTER,
+            text,
+            font,
+            color,
+            self.palette,
+        );
     }
 
     /// The names of the axes, where the lobe does not stand before them.

@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use crate::analysis::Channel;
 use crate::analysis::lobe3d::Mesh;
-use crate::ui::scene3d::{Ray, Scene, Vertex};
+use crate::ui::scene3d::{Ray, Rgba, Scene, Vertex};
 use crate::ui::session::Session;
 use crate::ui::theme;
 
@@ -69,8 +69,13 @@ impl DrawnLobe {
         self.tips.get(index as usize).copied().unwrap_or_default()
     }
 
-    /// Adds the surface, smoothly shaded and coloured by radius.
-    pub(super) fn add_to(&self, scene: &mut Scene) {
+    /// Adds the surface, smoothly shaded and coloured by radius; `is_see_through`: so that what is inside shows.
+    pub(super) fn add_to(&self, scene: &mut Scene, is_see_through: bool) {
+        let alpha = if is_see_through {
+            theme::SEE_THROUGH_ALPHA
+        } else {
+            u8::MAX
+        };
         let mut normals = vec![Vec3::ZERO; self.tips.len()];
         for triangle in &self.triangles {
             let [a, b, c] = triangle.map(|index| self.tip(index));
@@ -90,12 +95,15 @@ impl DrawnLobe {
             .map(|((tip, normal), radius)| Vertex {
                 position: tip.to_array(),
                 normal: normal.normalize_or_zero().to_array(),
-                color: theme::viridis(*radius),
+                color: with_alpha(theme::viridis(*radius), alpha),
             })
             .collect();
-        scene
-            .opaque
-            .append(&vertices, self.triangles.iter().copied().flatten());
+        let surface = if is_see_through {
+            &mut scene.translucent
+        } else {
+            &mut scene.opaque
+        };
+        surface.append(&vertices, self.triangles.iter().copied().flatten());
         self.add_spine(scene);
     }
 
@@ -134,6 +142,10 @@ impl DrawnLobe {
             .filter_map(distance)
             .min_by(f32::total_cmp)
     }
+}
+
+fn with_alpha([r, g, b, _]: Rgba, alpha: u8) -> Rgba {
+    [r, g, b, alpha]
 }
 
 #[cfg(test)]

@@ -17,6 +17,8 @@ use crate::ui::{format, theme};
 const ANGLE_LABEL_RADIUS: f64 = 1.075;
 /// Radius of the names of directions.
 const NAME_RADIUS: f64 = 1.15;
+/// Width of the note, as a share of the plot's.
+const NOTE_WIDTH: f32 = 0.27;
 /// Names nearer to one another than this, in radians, would overlap.
 const NAME_SPACING: f64 = 0.16;
 /// Spacing of the angle rays.
@@ -66,6 +68,17 @@ fn style(channel: Channel) -> LineStyle {
     }
 }
 
+/// Where channels are equal, the later curve leaves the earlier one visible at its sides.
+fn stroke(channel: Channel, palette: &theme::Palette) -> Stroke {
+    let width = match channel {
+        Channel::Luminance => 1.0,
+        Channel::Red => 2.0,
+        Channel::Green => 1.3,
+        Channel::Blue => 0.8,
+    };
+    Stroke::new(width * theme::CURVE_WIDTH, palette.channel(channel))
+}
+
 pub(super) fn draw_curves(
     plot_ui: &mut PlotUi<'_>,
     session: &Session,
@@ -80,7 +93,7 @@ pub(super) fn draw_curves(
                 .iter()
                 .map(|point| at(radial.radius(channel.of(point.value)), point.angle));
             let closed = [[0.0, 0.0]].into_iter().chain(curve).chain([[0.0, 0.0]]);
-            plot_ui.line(line(closed, theme::curve(palette.channel(*channel))).style(style));
+            plot_ui.line(line(closed, stroke(*channel, palette)).style(style));
         }
     }
 }
@@ -239,6 +252,24 @@ impl Canvas<'_> {
         }
     }
 
+    /// A sentence in the corner that the circle leaves free.
+    pub(super) fn note(&self, text: &str, palette: &theme::Palette) {
+        let frame = self.transform.frame();
+        let width = NOTE_WIDTH * frame.width();
+        let painter = self.painter();
+        let galley = painter.layout(
+            text.to_owned(),
+            draw::small_font(self.ui),
+            palette.ink,
+            width,
+        );
+        painter.galley(
+            frame.left_bottom() + vec2(8.0, -8.0 - galley.size().y),
+            galley,
+            palette.ink,
+        );
+    }
+
     /// The names of the curves, where there are several.
     pub(super) fn name_curves(&self, session: &Session, palette: &theme::Palette) {
         let corner = self.transform.frame().left_top() + vec2(8.0, 10.0);
@@ -248,7 +279,7 @@ impl Canvas<'_> {
             };
             let left = corner + vec2(0.0, 16.0 * row as f32);
             let points = [left, left + vec2(26.0, 0.0)];
-            let stroke = theme::curve(palette.channel(*channel));
+            let stroke = stroke(*channel, palette);
             let painter = self.painter();
             match channel {
                 Channel::Green => painter.extend(Shape::dashed_line(&points, stroke, 7.0, 5.0)),

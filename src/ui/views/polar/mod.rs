@@ -4,11 +4,12 @@ use egui::{Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
 
 use super::{Cursor, ViewContext, ViewSpec};
+use crate::analysis::Lobe;
 use crate::analysis::lobe::Arrow;
-use crate::analysis::{Lobe, polar};
+use crate::analysis::polar::{self, Section};
 use crate::bxdf::math::frame;
 use crate::ui::data::section_request;
-use crate::ui::session::Session;
+use crate::ui::session::{Session, wrapped_deg};
 use crate::ui::widgets::draw;
 use canvas::Canvas;
 use radial::{Radial, at};
@@ -29,6 +30,8 @@ const SIDE_ROOM: f64 = 0.4;
 const TOP_ROOM: f64 = 0.27;
 /// Below the horizon, where nothing is drawn but the labels of the scale.
 const LOWER_ROOM: f64 = 0.16;
+/// Beyond this radius the pointer reads nothing.
+const HOVER_RADIUS: f64 = 1.12;
 /// A delta whose azimuth is within this of the section is drawn in it.
 const IN_PLANE: f64 = 0.02;
 
@@ -41,10 +44,8 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .copied()
         .filter(|a| is_in_section(cx.session, a))
         .collect();
-    let radial = Radial::of(cx.session, &section);
-    let held = cx.session.held();
-    let has_lower =
-        !section.lower.is_empty() || held.z < 0.0 || arrows.iter().any(|a| a.direction.z < 0.0);
+    let radial = Radial::of(cx.session, &section, !arrows.is_empty());
+    let has_lower = cx.state.shows_lower_half(cx.session);
     let window = window(ui.available_size(), has_lower);
     let plot = Plot::new(("polar", has_lower, ui.available_size().round().to_string()))
         .data_aspect(1.0)
@@ -74,10 +75,30 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     canvas.name_directions(cx.session, &palette);
     canvas.name_curves(cx.session, &palette);
     canvas.draw_arrows(cx.session, &arrows, &palette);
+    if let Some(note) = note(cx, &section, &arrows) {
+        canvas.note(note, &palette);
+    }
     let transform = response.transform;
-    let is_dragging = drag_held(ui, cx, &transform);
-    if !is_dragging {
-        read_out(ui, cx, &response.response, &transform, &radial);
+    if drag_held(ui, cx, &transform) {
+        cx.state.keep_arrangement(has_lower);
+    } else {
+        read_out(ui, cx, &response.response, &transform, &radial, has_lower);
+    }
+}
+
+/// Why there is less to see than one might expect.
+fn note(cx: &mut ViewContext<'_>, section: &Section, arrows: &[Arrow]) -> Option<&'static str> {
+    let is_empty = section.upper.is_empty() && section.lower.is_empty() && arrows.is_empty();
+    if cx.session.held().z == 0.0 {
+        Some("In the surface plane a direction carries no light")
+    } else if is_empty && !cx.data.arrows(cx.session).is_empty() {
+        Some("The deltas lie outside this section")
+    } else if is_empty {
+        Some("No light leaves: total internal reflection, or all is absorbed")
+    } else if !cx.session.section_holds_held() {
+        Some("Dashed: outside this section, drawn at its θ")
+    } else {
+        None
     }
 }
 
@@ -116,11 +137,15 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bo
     );
     if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
         let place = transform.value_from_position(pointer);
-        let angle = place.x.atan2(place.y);
+        let dragged_to = place.x.atan2(place.y);
         if cx.session.section_holds_held() {
-            cx.session.set_held(polar::direction(angle, azimuth));
+            cx.session.set_held(polar::direction(dragged_to, azimuth));
         } else {
-            cx.session.theta_deg = (angle.abs().to_degrees() * 10.0).round() / 10.0;
+            // Outside the section only theta is the pointer's, and the side of n on which it is drawn.
+            cx.session.theta_deg = (dragged_to.abs().to_degrees() * 10.0).round() / 10.0;
+            if (dragged_to < 0.0) != (angle < 0.0) {
+                cx.session.phi_deg = wrapped_deg(cx.session.phi_deg + 180.0);
+            }
         }
         ui.ctx().request_repaint();
     }
@@ -134,11 +159,16 @@ fn read_out(
     plot: &egui::Response,
     transform: &PlotTransform,
     radial: &Radial,
+    has_lower: bool,
 ) {
     let Some(pointer) = plot.hover_pos() else {
         return;
     };
     let place = transform.value_from_position(pointer);
+    let is_inside = place.x.hypot(place.y) < HOVER_RADIUS && (has_lower || place.y >= 0.0);
+    if !is_inside {
+        return;
+    }
     let angle = place.x.atan2(place.y);
     let surface = cx.data.surface(cx.session);
     let request = section_request(cx.session);

@@ -16,7 +16,7 @@ pub(super) struct Radial {
 }
 
 impl Radial {
-    pub(super) fn of(session: &Session, section: &Section) -> Self {
+    pub(super) fn of(session: &Session, section: &Section, has_deltas: bool) -> Self {
         let channels = session.curves.channels();
         let shown = |point: &Point| {
             channels
@@ -31,13 +31,18 @@ impl Radial {
             .map(shown)
             .fold(0.0, f64::max);
         if peak <= 0.0 {
-            // Deltas alone: the rings count shares of the light.
+            // Deltas alone: the rings count shares of the light. Nothing at all: any scale will do.
             let ticks = vec![0.25, 0.5, 0.75, 1.0];
+            let quantity = if has_deltas {
+                "share of the flux"
+            } else {
+                "f in 1/sr"
+            };
             return Self {
                 scale: RadialScale::Linear,
                 full: 1.0,
                 ticks,
-                quantity: "share of the flux",
+                quantity,
             };
         }
         let (full, ticks) = match session.scale {
@@ -101,7 +106,7 @@ mod tests {
         };
         let mut session = Session::default();
         for peak in [0.01, 0.2546, 1.0, 3.7e6] {
-            let radial = Radial::of(&session, &section(peak));
+            let radial = Radial::of(&session, &section(peak), false);
             assert!(
                 radial.full >= peak * (1.0 - 1e-9) && radial.full <= 1.7 * peak,
                 "{peak}: {}",
@@ -115,11 +120,11 @@ mod tests {
             assert!((radial.radius(*radial.ticks.last().unwrap()) - 1.0).abs() < 1e-9);
         }
         session.scale = RadialScale::Logarithmic { decades: 4.0 };
-        let radial = Radial::of(&session, &section(0.2546));
+        let radial = Radial::of(&session, &section(0.2546), true);
         assert_eq!(radial.ticks.len(), 4);
         assert!((radial.full - 1.0).abs() < 1e-12);
         assert_eq!(
-            Radial::of(&session, &Section::default()).quantity,
+            Radial::of(&session, &Section::default(), true).quantity,
             "share of the flux"
         );
     }
