@@ -97,7 +97,7 @@ pub fn handle(
     color: Color32,
     palette: &Palette,
 ) -> Response {
-    let grip = Rect::from_center_size(position, egui::Vec2::splat(2.0 * HANDLE_RADIUS + 8.0));
+    let grip = Rect::from_center_size(position, egui::Vec2::splat(2.0 * HANDLE_RADIUS + 16.0));
     let response = ui
         .interact(grip, id, Sense::drag())
         .on_hover_cursor(egui::CursorIcon::Grab);

@@ -180,7 +180,7 @@ fn read_out(
     let w = polar::direction(angle, request.phi);
     let cursor = Cursor {
         theta_deg: frame::theta(w).to_degrees(),
-        phi_deg: frame::phi(w).to_degrees(),
+        phi_deg: wrapped_deg(frame::phi(w).to_degrees()),
         value,
     };
     let painter = ui.painter_at(*transform.frame());
