@@ -16,6 +16,10 @@ use crate::error::{Error, Result};
 /// The most frames a picture takes to settle: layout needs two or three.
 const MAX_FRAMES: u64 = 32;
 
+/// What helps where there is no graphics adapter.
+pub const NO_ADAPTER_REMEDY: &str =
+    "install a Vulkan driver; the software one is in the package mesa-vulkan-drivers";
+
 /// A picture to be made.
 pub struct Picture {
     /// What to show.
@@ -92,8 +96,6 @@ pub fn backends_with_adapter() -> Result<Backends> {
         .find(|backends| has_adapter(*backends))
         .ok_or_else(|| Error::Platform {
             problem: "no graphics adapter is found".to_owned(),
-            remedy:
-                "install a Vulkan driver; the software one is in the package mesa-vulkan-drivers"
-                    .to_owned(),
+            remedy: NO_ADAPTER_REMEDY.to_owned(),
         })
 }

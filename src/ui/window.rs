@@ -13,7 +13,6 @@ use crate::error::{Error, Result};
 /// [`Error::Platform`] where there is no display or no graphics adapter, naming the remedy.
 pub fn run() -> Result<()> {
     require_display()?;
-    headless::backends_with_adapter()?;
     let viewport = egui::ViewportBuilder::default()
         .with_title("BRDF Explorer")
         .with_app_id("brdf-explorer")
@@ -35,11 +34,18 @@ pub fn run() -> Result<()> {
             )))
         }),
     )
-    .map_err(|error| Error::Platform {
+    .map_err(|error| refusal(&error))
+}
+
+fn refusal(error: &eframe::Error) -> Error {
+    let remedy = match error {
+        eframe::Error::Wgpu(_) => headless::NO_ADAPTER_REMEDY,
+        _ => "without a display, 'brdf-explorer render -o out.png' draws it to a file",
+    };
+    Error::Platform {
         problem: format!("the window cannot be opened: {error}"),
-        remedy: "without a display, 'brdf-explorer render -o out.png' draws it to a file"
-            .to_owned(),
-    })
+        remedy: remedy.to_owned(),
+    }
 }
 
 /// Seconds since the first call.
