@@ -7,9 +7,9 @@ use super::scene3d;
 use super::session::{Curves, DECADES, Session};
 use super::theme::{self, Palette};
 use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
-use super::widgets::{directions, params, picker, status};
+use super::widgets::picker::Picker;
+use super::widgets::{directions, params, status};
 use crate::analysis::RadialScale;
-use crate::bxdf::Material;
 
 /// The line that says what to try first.
 const FIRST_STEP: &str = "Try this: drag the round handle of the light, then pick another kind of reflection on the left";
@@ -22,8 +22,7 @@ pub struct App {
     state: ViewState,
     cursor: Option<Cursor>,
     only: Option<&'static ViewSpec>,
-    /// Materials looked at before: their sliders stand as they were left.
-    shelf: Vec<Material>,
+    picker: Picker,
 }
 
 impl App {
@@ -47,7 +46,7 @@ impl App {
             state: ViewState::default(),
             cursor: None,
             only,
-            shelf: Vec::new(),
+            picker: Picker::default(),
         }
     }
 
@@ -67,7 +66,7 @@ impl App {
             .auto_shrink([false, false])
             .show(ui, |ui| {
                 ui.add_space(4.0);
-                picker::show(ui, &mut self.session.material, &mut self.shelf);
+                self.picker.show(ui, &mut self.session.material);
                 ui.separator();
                 let model = self.session.material.model();
                 ui.label(RichText::new(model.title).strong())

@@ -55,6 +55,39 @@ fn picking_a_model_changes_the_surface_and_its_sliders() {
 }
 
 #[test]
+fn searching_narrows_the_list_and_edits_are_kept() {
+    let mut harness = window("rough_conductor:alpha_x=0.1");
+    harness.get_by_label("Search models").click();
+    harness.get_by_label("Search models").type_text("retro");
+    harness.run();
+    assert!(harness.query_by_label("Oren-Nayar  (R)").is_none());
+    harness.get_by_label("Retro-reflector  (R)").click();
+    harness.run();
+    assert_eq!(
+        harness.state().session.material.model().id,
+        "retro_reflector"
+    );
+    harness.get_by_label("Search models").click();
+    harness.get_by_label("Search models").type_text("zzz");
+    harness.run();
+    assert!(
+        harness
+            .query_by_label_contains("No model has this name")
+            .is_some()
+    );
+    for _ in 0..8 {
+        harness.key_press(egui::Key::Backspace);
+    }
+    harness.run();
+    harness.get_by_label("Rough conductor  (R)").click();
+    harness.run();
+    assert_eq!(
+        harness.state().session.material.to_string(),
+        "rough_conductor:alpha_x=0.1"
+    );
+}
+
+#[test]
 fn every_model_can_be_picked_and_shown() {
     let mut harness = window("rough_conductor");
     for model in brdf_explorer::bxdf::models::MODELS {

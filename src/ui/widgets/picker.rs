@@ -1,40 +1,87 @@
 //! The model picker: every model under its category.
 
-use egui::{RichText, Ui};
+use egui::{RichText, TextEdit, Ui};
 
 use crate::bxdf::models::MODELS;
 use crate::bxdf::{Category, Material, ModelSpec, Side};
 
-/// The list of models; choosing one replaces the material by the one of that model last put on the `shelf`, or by the
-/// model's defaults, and puts the old one there.
-pub fn show(ui: &mut Ui, material: &mut Material, shelf: &mut Vec<Material>) {
-    for category in Category::ALL {
-        ui.label(RichText::new(category.title()).strong())
-            .on_hover_text(category.meaning());
-        ui.indent(category.id(), |ui| {
-            for model in MODELS
-                .into_iter()
-                .filter(|model| model.category() == category)
-            {
-                let is_chosen = model.id == material.model().id;
-                let hint = format!(
-                    "{}\n\n{}\n\nR: reflects, T: transmits",
-                    model.summary, model.source
-                );
-                if ui
-                    .selectable_label(is_chosen, title(model))
-                    .on_hover_text(hint)
-                    .clicked()
-                    && !is_chosen
-                {
-                    let kept = shelf.iter().position(|kept| kept.model().id == model.id);
-                    let next =
-                        kept.map_or_else(|| Material::of(model), |index| shelf.swap_remove(index));
-                    shelf.push(std::mem::replace(material, next));
-                }
+/// What the picker keeps between frames.
+#[derive(Default)]
+pub struct Picker {
+    search: String,
+    /// Materials looked at before: their sliders stand as they were left.
+    shelf: Vec<Material>,
+}
+
+impl Picker {
+    /// The list of models that the search leaves. Choosing one replaces the material by the one of that model looked at
+    /// before, or by the model's defaults.
+    pub fn show(&mut self, ui: &mut Ui, material: &mut Material) {
+        let field = TextEdit::singleline(&mut self.search)
+            .hint_text("Search models")
+            .desired_width(f32::INFINITY);
+        let field = ui
+            .add(field)
+            .on_hover_text("Find a model by name, id, category or author");
+        ui.ctx()
+            .accesskit_node_builder(field.id, |node| node.set_label("Search models"));
+        let wanted = self.search.trim().to_lowercase();
+        let mut is_empty = true;
+        for category in Category::ALL {
+            let is_listed =
+                |model: &&ModelSpec| model.category() == category && is_found(model, &wanted);
+            let models: Vec<&'static ModelSpec> = MODELS.into_iter().filter(is_listed).collect();
+            if models.is_empty() {
+                continue;
             }
-        });
+            is_empty = false;
+            ui.label(RichText::new(category.title()).strong())
+                .on_hover_text(category.meaning());
+            ui.indent(category.id(), |ui| {
+                for model in models {
+                    self.row(ui, model, material);
+                }
+            });
+        }
+        if is_empty {
+            ui.weak("No model has this name, category or author");
+        }
     }
+
+    fn row(&mut self, ui: &mut Ui, model: &'static ModelSpec, material: &mut Material) {
+        let is_chosen = model.id == material.model().id;
+        let hint = format!(
+            "{}\n\n{}\n\nR: reflects, T: transmits",
+            model.summary, model.source
+        );
+        let is_clicked = ui
+            .selectable_label(is_chosen, title(model))
+            .on_hover_text(hint)
+            .clicked();
+        if is_clicked && !is_chosen {
+            let kept = self
+                .shelf
+                .iter()
+                .position(|kept| kept.model().id == model.id);
+            let next = kept.map_or_else(
+                || Material::of(model),
+                |index| self.shelf.swap_remove(index),
+            );
+            self.shelf.push(std::mem::replace(material, next));
+        }
+    }
+}
+
+/// Whether `wanted`, in lower case, stands somewhere in what is known of the model.
+fn is_found(model: &ModelSpec, wanted: &str) -> bool {
+    [
+        model.title,
+        model.id,
+        model.category().title(),
+        model.source,
+    ]
+    .iter()
+    .any(|text| text.to_lowercase().contains(wanted))
 }
 
 /// The title, and the sides where they are not plain from it.
