@@ -158,7 +158,7 @@ fn egui_is_named_only_by_the_window() {
     for file in sources() {
         let may_name = file.path.starts_with("src/ui/") || file.path == "src/cli/render.rs";
         let code = file.code();
-        for word in ["egui", "eframe"] {
+        for word in ["egui", "eframe", "wgpu", "winit"] {
             assert!(
                 may_name || !code.contains(word),
                 "{} names {word}",

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::quadrature::Integral;
 use crate::bxdf::{Bxdf, Side};
 
 /// Which of the two directions is held while the lobe is drawn over the other.
@@ -28,7 +29,7 @@ pub const HORIZON_LIFT: f64 = 1e-6;
 
 /// A surface with one direction held, in the fixed frame.
 #[derive(Clone, Copy)]
-pub struct Lobe<'a> {
+pub struct HeldLobe<'a> {
     bxdf: &'a dyn Bxdf<f64>,
     hold: Hold,
     held: DVec3,
@@ -45,7 +46,7 @@ pub struct Arrow {
     pub side: Side,
 }
 
-impl<'a> Lobe<'a> {
+impl<'a> HeldLobe<'a> {
     /// The lobe of `bxdf` with the unit vector `held` held.
     #[must_use]
     pub fn new(bxdf: &'a dyn Bxdf<f64>, hold: Hold, held: DVec3) -> Self {
@@ -99,32 +100,80 @@ impl<'a> Lobe<'a> {
     /// sampling. They tell the adaptive curve, mesh and quadrature where a narrow lobe hides.
     #[must_use]
     pub fn seeds(&self) -> Seeds {
-        let n = SEEDS_PER_SIDE;
-        let centre = |index: u32| (f64::from(index) + 0.5) / f64::from(n);
+        let drawn = f64::from(SEEDS_PER_SIDE * SEEDS_PER_SIDE);
         let mut seeds = Seeds {
-            directions: Vec::with_capacity((n * n) as usize),
-            drawn: f64::from(n * n),
+            directions: Vec::with_capacity(drawn as usize),
+            drawn,
             sum: 0.0,
         };
-        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
-            let sample = self.bxdf.sample_f(
-                self.held.into(),
-                radical_inverse(i * n + j),
-                [centre(i), centre(j)],
-            );
+        self.draw(SEEDS_PER_SIDE, |direction, weight| {
+            seeds.directions.push(direction);
+            seeds.sum += weight.into_iter().fold(0.0, f64::max);
+        });
+        seeds
+    }
+
+    /// The integrals of f |cos(theta)| over the hemispheres about +n and -n as means of `per_side`^2 stratified samples;
+    /// the error is one standard error of as many independent samples.
+    #[must_use]
+    pub fn sampled_integrals(&self, per_side: u32) -> [Integral; 2] {
+        let (mut sums, mut squares) = ([[0.0; 3]; 2], [[0.0; 3]; 2]);
+        self.draw(per_side, |direction, weight| {
+            let side = usize::from(direction.z < 0.0);
+            if let (Some(sum), Some(square)) = (sums.get_mut(side), squares.get_mut(side)) {
+                sum.iter_mut().zip(weight).for_each(|(sum, w)| *sum += w);
+                square
+                    .iter_mut()
+                    .zip(weight)
+                    .for_each(|(square, w)| *square += w * w);
+            }
+        });
+        let drawn = f64::from(per_side) * f64::from(per_side);
+        let [upper, lower] = [0, 1].map(|side: usize| {
+            let value = sums
+                .get(side)
+                .copied()
+                .unwrap_or_default()
+                .map(|sum| sum / drawn);
+            let mean_square = squares
+                .get(side)
+                .copied()
+                .unwrap_or_default()
+                .map(|square| square / drawn);
+            let variance = value
+                .iter()
+                .zip(mean_square)
+                .map(|(mean, square)| square - mean * mean)
+                .fold(0.0, f64::max);
+            Integral {
+                value,
+                error: (variance / drawn).sqrt(),
+                has_converged: false,
+            }
+        });
+        [upper, lower]
+    }
+
+    /// Visits the directions of a regular grid of `per_side`^2 cells under the model's sampling, each with
+    /// f |cos(theta)| over its density. Lost samples and deltas are not visited.
+    fn draw(&self, per_side: u32, mut visit: impl FnMut(DVec3, [f64; 3])) {
+        let centre = |index: u32| (f64::from(index) + 0.5) / f64::from(per_side);
+        for (i, j) in (0..per_side).flat_map(|i| (0..per_side).map(move |j| (i, j))) {
+            let u = [centre(i), centre(j)];
+            let sample = self
+                .bxdf
+                .sample_f(self.held.into(), radical_inverse(i * per_side + j), u);
             let Some(sample) = sample.filter(|sample| !sample.is_delta && sample.pdf > 0.0) else {
                 continue;
             };
             let direction = DVec3::from(sample.wi);
-            let value = self.value(direction).into_iter().fold(0.0, f64::max);
-            seeds.directions.push(direction);
-            seeds.sum += value * direction.z.abs() / sample.pdf;
+            let scale = direction.z.abs() / sample.pdf;
+            visit(direction, self.value(direction).map(|f| f * scale));
         }
-        seeds
     }
 }
 
-/// What [`Lobe::seeds`] returns.
+/// What [`HeldLobe::seeds`] returns.
 #[derive(Clone, Debug)]
 pub struct Seeds {
     /// The directions, lost samples and deltas left out.
@@ -156,7 +205,7 @@ mod tests {
     fn seeds_estimate_the_integral() {
         let material: Material = "lambertian_reflection:reflectance=0.6".parse().unwrap();
         let model = material.build();
-        let lobe = Lobe::new(&*model, Hold::Light, direction_from_degrees(40.0, 10.0));
+        let lobe = HeldLobe::new(&*model, Hold::Light, direction_from_degrees(40.0, 10.0));
         assert!((lobe.seeds().integral() - 0.6).abs() < 1e-12);
         assert_eq!(lobe.seeds().directions.len(), 576);
     }
@@ -165,7 +214,7 @@ mod tests {
     fn the_horizon_has_a_limit_on_either_side() {
         let material: Material = "lambertian_transmission".parse().unwrap();
         let model = material.build();
-        let lobe = Lobe::new(&*model, Hold::Light, DVec3::Z);
+        let lobe = HeldLobe::new(&*model, Hold::Light, DVec3::Z);
         assert_eq!(lobe.value(DVec3::X), [0.0; 3]);
         assert_eq!(lobe.value_or_limit(DVec3::X, true), [0.0; 3]);
         assert!(lobe.value_or_limit(DVec3::X, false)[0] > 0.25);

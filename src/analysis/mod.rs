@@ -8,5 +8,5 @@ pub mod quadrature;
 pub mod reflectance;
 pub mod scale;
 
-pub use lobe::{Hold, Lobe};
+pub use lobe::{HeldLobe, Hold};
 pub use scale::{Channel, RadialScale};

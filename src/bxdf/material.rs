@@ -123,6 +123,7 @@ impl FromStr for Material {
         let (id, assignments) = text.split_once(':').unwrap_or((text, ""));
         let model = models::find(id.trim())?;
         let mut params = model.defaults();
+        let mut given: Vec<&str> = Vec::new();
         for assignment in assignments
             .split(',')
             .map(str::trim)
@@ -134,7 +135,15 @@ impl FromStr for Material {
                     format!("'{assignment}' is not name=value"),
                 )
             })?;
-            params.set_text(name.trim(), value.trim())?;
+            let name = name.trim();
+            if given.contains(&name) {
+                return Err(Error::parse(
+                    format!("material '{text}'"),
+                    format!("{name} is given twice"),
+                ));
+            }
+            given.push(name);
+            params.set_text(name, value.trim())?;
         }
         (model.validate)(&params)?;
         Ok(Self { model, params })
@@ -164,6 +173,7 @@ mod tests {
         for (text, expected) in [
             ("lambert", "unknown model 'lambert'; nearest: lambertian_"),
             ("oren_nayar:sigma", "'sigma' is not name=value"),
+            ("oren_nayar:sigma=20,sigma=30", "sigma is given twice"),
             ("oren_nayar:sigma=91", "from 0 to 90 degrees"),
             ("rough_conductor:eta=0,k=0", "eta and k may not both be 0"),
         ] {

@@ -135,6 +135,9 @@ impl Arguments {
 /// Where the session cannot be read, the view is unknown, no adapter is found, or the picture cannot be written.
 #[cfg(feature = "gui")]
 pub(super) fn run(request: &RenderArgs) -> Result<()> {
+    use std::io::Write as _;
+
+    use super::output::Output;
     use crate::ui::{headless::Picture, views};
 
     let only = request.view.as_deref().map(views::find).transpose()?;
@@ -148,7 +151,12 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
             Some(Theme::Dark) | None => egui::Theme::Dark,
         },
     };
-    picture.save(&request.output)
+    let bytes = picture.png()?;
+    let mut output = Output::open(&request.output)?;
+    output
+        .write_all(&bytes)
+        .map_err(|error| Error::io(&request.output, error))?;
+    output.finish()
 }
 
 /// The session to draw: the file's or the start, changed by what else was asked for.

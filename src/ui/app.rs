@@ -182,7 +182,9 @@ fn theme_choice(ui: &mut Ui) {
         (ThemePreference::Light, "Light"),
         (ThemePreference::Dark, "Dark"),
     ] {
-        ui.selectable_value(&mut preference, choice, name);
+        let response = ui.selectable_value(&mut preference, choice, name);
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label(format!("{name} theme")));
     }
     ui.label("Theme");
     ui.ctx().set_theme(preference);

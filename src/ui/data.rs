@@ -5,14 +5,17 @@ use std::sync::Arc;
 use super::memo::Memo;
 use super::session::Session;
 use crate::analysis::lobe::Arrow;
-use crate::analysis::reflectance::{Reflectance, directional_hemispherical};
-use crate::analysis::{Hold, Lobe, RadialScale, lobe3d, polar};
+use crate::analysis::reflectance::{Reflectance, directional_hemispherical_within};
+use crate::analysis::{HeldLobe, Hold, RadialScale, lobe3d, polar};
 use crate::bxdf::math::frame;
 use crate::bxdf::rotated::Rotated;
 use crate::bxdf::{Bxdf, Material};
 
 /// Absolute error of the shares of light: below half a unit of the last digit shown.
 const SHARE_TOLERANCE: f64 = 2e-4;
+
+/// Evaluations the shares may take: a few milliseconds, whatever the material.
+const SHARE_EVALUATIONS: usize = 60_000;
 
 /// A clock: seconds since some start. Pictures and tests have none, so that they are the same bytes twice.
 pub type Clock = fn() -> f64;
@@ -76,7 +79,7 @@ impl Data {
             );
             data.section.get(key, || {
                 polar::section(
-                    &Lobe::new(&**surface, session.hold, session.held()),
+                    &HeldLobe::new(&**surface, session.hold, session.held()),
                     &request,
                 )
             })
@@ -94,7 +97,7 @@ impl Data {
             let key = (data.held_key(session), request.with_cosine, request.scale);
             data.mesh.get(key, || {
                 lobe3d::mesh(
-                    &Lobe::new(&**surface, session.hold, session.held()),
+                    &HeldLobe::new(&**surface, session.hold, session.held()),
                     &request,
                 )
             })
@@ -112,7 +115,7 @@ impl Data {
         let surface = self.surface(session);
         let key = self.held_key(session);
         self.arrows.get(key, || {
-            Lobe::new(&**surface, session.hold, session.held()).arrows()
+            HeldLobe::new(&**surface, session.hold, session.held()).arrows()
         })
     }
 
@@ -122,7 +125,12 @@ impl Data {
             let surface = data.surface(session);
             let key = data.held_key(session);
             data.shares.get(key, || {
-                directional_hemispherical(&**surface, session.held(), SHARE_TOLERANCE)
+                directional_hemispherical_within(
+                    &**surface,
+                    session.held(),
+                    SHARE_TOLERANCE,
+                    SHARE_EVALUATIONS,
+                )
             })
         })
     }

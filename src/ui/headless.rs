@@ -1,7 +1,5 @@
 //! Pictures of the window without a display: the same `App`, driven step by step.
 
-use std::path::PathBuf;
-
 use eframe::egui_wgpu::{WgpuSetup, wgpu};
 use egui::Theme;
 use egui_kittest::Harness;
@@ -35,24 +33,24 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Draws the picture into a PNG file. The file is written whole or not at all.
+    /// Draws the picture, as the bytes of a PNG file.
     ///
     /// # Errors
-    /// [`Error::Platform`] without a graphics adapter, [`Error::Io`] where the file cannot be written.
-    pub fn save(self, output: &PathBuf) -> Result<()> {
-        let mut harness = self.harness()?;
-        let image = harness.render().map_err(|problem| Error::Platform {
+    /// [`Error::Platform`] without a graphics adapter, or where it fails.
+    pub fn png(self) -> Result<Vec<u8>> {
+        let failed = |problem: String| Error::Platform {
             problem: format!("the picture cannot be drawn: {problem}"),
             remedy: "a smaller --size or --scale may do".to_owned(),
-        })?;
+        };
+        let image = self.harness()?.render().map_err(failed)?;
         let mut bytes = Vec::new();
         image
             .write_to(
                 &mut std::io::Cursor::new(&mut bytes),
                 image::ImageFormat::Png,
             )
-            .map_err(|error| Error::io(output, std::io::Error::other(error)))?;
-        std::fs::write(output, bytes).map_err(|error| Error::io(output, error))
+            .map_err(|error| failed(error.to_string()))?;
+        Ok(bytes)
     }
 
     /// The running application behind the picture, settled; tests drive it on.

@@ -1,5 +1,7 @@
 //! The session: all that is saved, shared and shown; everything else on the screen follows from it.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +35,9 @@ impl Curves {
 
 /// How many decades a logarithmic scale shows.
 pub const DECADES: f64 = 4.0;
+
+/// The decades that a session may ask for: beyond 16 a double has no digits left to show.
+const DECADES_RANGE: RangeInclusive<f64> = 1.0..=16.0;
 
 /// What is on the screen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -122,6 +127,16 @@ impl Session {
         }
         session.phi_deg = wrapped_deg(session.phi_deg);
         session.rotation_deg = wrapped_deg(session.rotation_deg);
+        session.section_phi_deg = session.section_phi_deg.map(folded_deg);
+        if let RadialScale::Logarithmic { decades } = session.scale
+            && !DECADES_RANGE.contains(&decades)
+        {
+            let [low, high] = [DECADES_RANGE.start(), DECADES_RANGE.end()];
+            return Err(Error::parse(
+                place,
+                format!("decades = {decades}: allowed is {low} to {high}"),
+            ));
+        }
         Ok(session)
     }
 
@@ -158,9 +173,7 @@ impl Session {
     /// The azimuth of the polar plot's section, in degrees, -90 (excluded) to 90: the half that is drawn to the right.
     #[must_use]
     pub fn section_azimuth_deg(&self) -> f64 {
-        let azimuth = self.section_phi_deg.unwrap_or(self.phi_deg);
-        let folded = (azimuth + 90.0).rem_euclid(180.0) - 90.0;
-        if folded == -90.0 { 90.0 } else { folded }
+        folded_deg(self.section_phi_deg.unwrap_or(self.phi_deg))
     }
 
     /// Whether the section is the plane of incidence.
@@ -180,6 +193,13 @@ impl Session {
             Hold::Viewer => "viewer",
         }
     }
+}
+
+/// The azimuth of the same plane, in degrees, from -90 (excluded) to 90.
+#[must_use]
+pub fn folded_deg(azimuth_deg: f64) -> f64 {
+    let folded = (azimuth_deg + 90.0).rem_euclid(180.0) - 90.0;
+    if folded == -90.0 { 90.0 } else { folded }
 }
 
 /// The same azimuth, in degrees, from -180 (excluded) to 180.
@@ -217,6 +237,14 @@ mod tests {
             ),
             ("material = \"gold\"", "unknown model 'gold'"),
             ("flavour = 1", "unknown field"),
+            (
+                "scale = { logarithmic = { decades = 1e6 } }",
+                "decades = 1000000: allowed is 1 to 16",
+            ),
+            (
+                "scale = { logarithmic = { decades = nan } }",
+                "decades = NaN: allowed is 1 to 16",
+            ),
         ] {
             let line = Session::from_toml(text, "s.toml").unwrap_err().to_string();
             assert!(line.contains(expected) && !line.contains('\n'), "{line}");

@@ -37,14 +37,22 @@ pub fn run() -> Result<()> {
     .map_err(|error| refusal(&error))
 }
 
+/// What the user can act on; the window system's own words name files of its source.
 fn refusal(error: &eframe::Error) -> Error {
-    let remedy = match error {
-        eframe::Error::Wgpu(_) => headless::NO_ADAPTER_REMEDY,
-        _ => "without a display, 'brdf-explorer render -o out.png' draws it to a file",
-    };
-    Error::Platform {
-        problem: format!("the window cannot be opened: {error}"),
-        remedy: remedy.to_owned(),
+    match error {
+        eframe::Error::Wgpu(_) => Error::Platform {
+            problem: "no graphics adapter can draw to this display".to_owned(),
+            remedy: headless::NO_ADAPTER_REMEDY.to_owned(),
+        },
+        eframe::Error::Winit(_) | eframe::Error::WinitEventLoop(_) => Error::Platform {
+            problem: "the display cannot be opened".to_owned(),
+            remedy: "check DISPLAY, or draw to a file with 'brdf-explorer render -o out.png'"
+                .to_owned(),
+        },
+        eframe::Error::AppCreation(other) => Error::Platform {
+            problem: format!("the window cannot be opened: {other}"),
+            remedy: "'brdf-explorer render -o out.png' draws it to a file".to_owned(),
+        },
     }
 }
 

@@ -264,8 +264,7 @@ fn display_options_change_the_session() {
         "Light",
         "Angles",
     ] {
-        // "Light" names the light to hold and the theme; the first is the theme's, in the bar at the top.
-        harness.get_all_by_label(label).last().unwrap().click();
+        harness.get_by_label(label).click();
         harness.run();
     }
     let session = &harness.state().session;

@@ -69,6 +69,28 @@ fn two_runs_give_the_same_bytes_in_the_size_asked_for() {
 }
 
 #[test]
+fn a_direction_is_drawn_as_given() {
+    let folder = Folder::new("direction");
+    let bytes = ["89.97,180", "90,180"].map(|direction| {
+        let file = folder.file("d.png");
+        let output = program(&[
+            "render",
+            "--size",
+            "900x600",
+            "--direction",
+            direction,
+            "-o",
+        ])
+        .arg(&file)
+        .output()
+        .unwrap();
+        assert!(output.status.success());
+        std::fs::read(file).unwrap()
+    });
+    assert!(bytes[0] != bytes[1], "no widget may round the session");
+}
+
+#[test]
 fn a_session_file_is_drawn() {
     let folder = Folder::new("session");
     let (session, picture) = (folder.file("s.toml"), folder.file("s.png"));

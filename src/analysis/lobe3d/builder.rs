@@ -4,7 +4,7 @@ use glam::DVec3;
 use rustc_hash::FxHashMap;
 
 use super::{Request, Vertex};
-use crate::analysis::lobe::{Lobe, Seeds};
+use crate::analysis::lobe::{HeldLobe, Seeds};
 
 /// Halvings of the octahedron's edges before the lobe is looked at: edges of 5.6 degrees.
 const UNIFORM_LEVELS: u32 = 4;
@@ -21,7 +21,7 @@ const INTEGRAL_TOLERANCE: f64 = 5e-5;
 /// Edges shorter than this (in radians) are not halved: a thousand times finer than the narrowest lobe.
 const SHORTEST: f64 = 1e-7;
 
-/// The mesh stops growing at this many triangles; a lobe needs some thousands.
+/// No round of halving begins beyond this many triangles (one may quadruple them); a lobe needs some thousands.
 const MAX_TRIANGLES: usize = 30_000;
 
 /// At most this many rounds of halving; the narrowest lobe takes about 20.
@@ -45,7 +45,7 @@ struct Edge {
 
 /// The mesh of one hemisphere under construction.
 pub(super) struct Builder<'a> {
-    lobe: &'a Lobe<'a>,
+    lobe: &'a HeldLobe<'a>,
     request: Request,
     is_upper: bool,
     /// About the integral of f |cos(theta)| over the sphere.
@@ -57,7 +57,12 @@ pub(super) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(lobe: &'a Lobe<'a>, request: Request, is_upper: bool, seeds: &Seeds) -> Self {
+    pub(super) fn new(
+        lobe: &'a HeldLobe<'a>,
+        request: Request,
+        is_upper: bool,
+        seeds: &Seeds,
+    ) -> Self {
         let mut builder = Self {
             lobe,
             request,

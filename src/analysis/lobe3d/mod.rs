@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::lobe::Lobe;
+use super::lobe::HeldLobe;
 use super::scale::RadialScale;
 use builder::Builder;
 
@@ -78,7 +78,7 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
 
 /// The mesh of `lobe` that `request` asks for: the hemispheres in which it is not 0.
 #[must_use]
-pub fn mesh(lobe: &Lobe<'_>, request: &Request) -> Mesh {
+pub fn mesh(lobe: &HeldLobe<'_>, request: &Request) -> Mesh {
     let seeds = lobe.seeds();
     let mut whole = Mesh::default();
     for is_upper in [true, false] {
@@ -137,7 +137,7 @@ mod tests {
         for (material, theta) in cases {
             let model = built(material);
             let held = direction_from_degrees(theta, 25.0);
-            let mesh = mesh(&Lobe::new(&*model, Hold::Light, held), &REQUEST);
+            let mesh = mesh(&HeldLobe::new(&*model, Hold::Light, held), &REQUEST);
             let exact = directional_hemispherical(&*model, held, 1e-9);
             let exact = exact.reflection[0] + exact.transmission[0];
             let ratio = mesh.integral()[0] / exact;
@@ -158,7 +158,7 @@ mod tests {
     fn the_mesh_has_no_cracks_and_no_vertex_twice() {
         let model = built("rough_conductor:alpha_x=0.01,alpha_y=0.2");
         let mesh = mesh(
-            &Lobe::new(&*model, Hold::Light, direction_from_degrees(70.0, 25.0)),
+            &HeldLobe::new(&*model, Hold::Light, direction_from_degrees(70.0, 25.0)),
             &REQUEST,
         );
         let mut uses: HashMap<[u32; 2], i32> = HashMap::new();
@@ -184,7 +184,7 @@ mod tests {
     fn the_plotted_maximum_is_the_true_one_within_a_percent() {
         for (alpha, theta) in [("0.001", 60.0), ("0.0001", 85.0), ("0.05", 20.0)] {
             let model = built(&format!("rough_conductor:alpha={alpha}"));
-            let lobe = Lobe::new(&*model, Hold::Light, direction_from_degrees(theta, 0.0));
+            let lobe = HeldLobe::new(&*model, Hold::Light, direction_from_degrees(theta, 0.0));
             let request = crate::analysis::polar::Request {
                 phi: 0.0,
                 with_cosine: false,
@@ -198,14 +198,27 @@ mod tests {
     }
 
     #[test]
-    fn the_whole_sphere_measures_four_pi() {
-        let model = built("lambertian_reflection");
-        let mesh = mesh(&Lobe::new(&*model, Hold::Light, DVec3::Z), &REQUEST);
-        let area: f64 = mesh
-            .triangles
-            .iter()
-            .map(|t| solid_angle(mesh.corners(*t).unwrap().map(|v| v.direction)))
-            .sum();
-        assert!((area - 2.0 * std::f64::consts::PI).abs() < 1e-10, "{area}");
+    fn each_half_measures_two_pi_and_faces_outwards() {
+        for (material, is_upper) in [
+            ("lambertian_reflection", true),
+            ("lambertian_transmission", false),
+        ] {
+            let model = built(material);
+            let mesh = mesh(&HeldLobe::new(&*model, Hold::Light, DVec3::Z), &REQUEST);
+            let corners = |t: &[u32; 3]| mesh.corners(*t).unwrap().map(|v| v.direction);
+            let area: f64 = mesh.triangles.iter().map(|t| solid_angle(corners(t))).sum();
+            assert!(
+                (area - 2.0 * std::f64::consts::PI).abs() < 1e-10,
+                "{material}: {area}"
+            );
+            assert!(mesh.vertices.iter().all(|v| if is_upper {
+                v.direction.z >= 0.0
+            } else {
+                v.direction.z <= 0.0
+            }));
+            for [a, b, c] in mesh.triangles.iter().map(corners) {
+                assert!((b - a).cross(c - a).dot(a) > 0.0, "{material}");
+            }
+        }
     }
 }

@@ -83,8 +83,8 @@ impl<R: Real> Bxdf<R> for FresnelSpecular<R> {
             direction: fresnel::refracted(w, e, share.cos_t),
             flux: Spectrum::grey(share.transmittance),
             weight: Spectrum::grey(share.transmittance / (e * e)),
-            // The rest, so that the two probabilities sum to 1 without a gap for uc to fall into.
-            probability: R::one() - share.reflectance,
+            // Not 1 - reflectance, which rounds to 0 where little crosses.
+            probability: share.transmittance,
             side: Side::Transmission,
         };
         let carries = |delta: Delta<R>| (delta.flux.max_channel() > R::zero()).then_some(delta);

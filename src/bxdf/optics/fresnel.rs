@@ -59,7 +59,14 @@ fn dielectric_of<R: Real>(c: R, s2: R, n: R) -> Dielectric<R> {
     let transmittance_s = four_c_g / (c_plus_g * c_plus_g);
     let transmittance_p = n_squared * four_c_g / (p_denominator * p_denominator);
     let transmittance = R::of(0.5) * (transmittance_s + transmittance_p);
-    if refracts {
+    if d == R::zero() {
+        // No interface: at extreme grazing c^2 underflows, and the test below would take it for total reflection.
+        Dielectric {
+            reflectance: R::zero(),
+            transmittance: one,
+            cos_t: c,
+        }
+    } else if refracts {
         Dielectric {
             reflectance: reflectance.min(one),
             transmittance: transmittance.min(one),
@@ -181,6 +188,17 @@ mod tests {
                     "n {n} c {c}: {d:?}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn equal_indices_are_no_interface_even_where_the_squared_cosine_underflows() {
+        for c in [1e-38_f32, 1e-20, 1e-3, 1.0] {
+            let nothing = dielectric(c, 1.0);
+            assert_eq!(
+                (nothing.reflectance, nothing.transmittance, nothing.cos_t),
+                (0.0, 1.0, c)
+            );
         }
     }
 

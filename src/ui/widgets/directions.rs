@@ -58,25 +58,40 @@ fn hold(ui: &mut Ui, session: &mut Session) {
 }
 
 fn angle(ui: &mut Ui, label: &str, value: &mut f64, range: RangeInclusive<f64>, hint: &str) {
-    let slider = Slider::new(value, range)
-        .suffix("°")
-        .max_decimals(4)
-        .step_by(0.1)
-        .text(label);
-    ui.add(slider).on_hover_text(hint);
+    let (low, high) = (*range.start(), *range.end());
+    if ui
+        .add(slider(value, range, label))
+        .on_hover_text(hint)
+        .changed()
+    {
+        *value = value.clamp(low, high);
+    }
 }
 
 /// An angle of a full turn: a typed 230 is -130.
 fn turning(ui: &mut Ui, label: &str, value: &mut f64, hint: &str) {
-    let slider = Slider::new(value, -180.0..=180.0)
+    if ui
+        .add(slider(value, -180.0..=180.0, label))
+        .on_hover_text(hint)
+        .changed()
+    {
+        *value = wrapped_deg(*value);
+    }
+}
+
+/// A slider that leaves its value alone until it is moved: a session may hold finer angles than its steps.
+fn slider<'a>(value: &'a mut f64, range: RangeInclusive<f64>, label: &str) -> Slider<'a> {
+    let step = if (*value * 10.0).fract() == 0.0 {
+        0.1
+    } else {
+        0.0
+    };
+    Slider::new(value, range)
         .clamping(SliderClamping::Never)
         .suffix("°")
         .max_decimals(4)
-        .step_by(0.1)
-        .text(label);
-    if ui.add(slider).on_hover_text(hint).changed() && value.abs() > 180.0 {
-        *value = wrapped_deg(*value);
-    }
+        .step_by(step)
+        .text(label)
 }
 
 fn trigonometry(ui: &mut Ui, name: &str, angle_deg: f64) {

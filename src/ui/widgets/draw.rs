@@ -11,6 +11,9 @@ use crate::ui::session::{Curves, Session};
 use crate::ui::theme::{HANDLE_RADIUS, Palette};
 use crate::ui::views::Cursor;
 
+/// Scrolling by this many points zooms by a factor e to this times them.
+pub const ZOOM_PER_POINT: f32 = 0.003;
+
 /// The font of labels of secondary rank.
 #[must_use]
 pub fn small_font(ui: &Ui) -> FontId {

@@ -14,12 +14,29 @@ pub fn show(ui: &mut Ui, material: &mut Material) {
         ui.push_id((material.model().id, spec.name), |ui| {
             row(ui, spec, &mut edited);
         });
-        if edited != value
-            && let Err(refusal) = material.set(spec.name, edited)
-        {
-            // A combination the model refuses leaves the material as it was; the slider springs back.
-            ui.weak(refusal.to_string());
+        if edited != value {
+            set(material, spec, edited);
         }
+    }
+}
+
+/// Sets a parameter. Where the model refuses a choice because of the parameters it brings into play, these start from
+/// their defaults; any other refused combination leaves the material as it was, and the slider springs back.
+fn set(material: &mut Material, spec: &ParamSpec, value: Value) {
+    if material.set(spec.name, value).is_ok() {
+        return;
+    }
+    let mut reset = material.clone();
+    for other in material.model().parameters {
+        let is_brought = other
+            .relevant_when
+            .is_some_and(|(name, _)| name == spec.name);
+        if is_brought && reset.set(other.name, other.default).is_err() {
+            return;
+        }
+    }
+    if reset.set(spec.name, value).is_ok() {
+        *material = reset;
     }
 }
 
@@ -145,6 +162,16 @@ fn sentence(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_choice_that_its_parameters_forbid_resets_them() {
+        let mut mirror: Material = "specular_reflection:fresnel=conductor,eta=0.143,k=4"
+            .parse()
+            .unwrap();
+        let fresnel = &mirror.model().parameters[0];
+        set(&mut mirror, fresnel, Value::Choice("dielectric"));
+        assert_eq!(mirror.to_string(), "specular_reflection:fresnel=dielectric");
+    }
 
     #[test]
     fn words_read_as_sentences() {

@@ -7,7 +7,7 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
 use super::{Cursor, ViewContext, ViewSpec};
-use crate::analysis::Lobe;
+use crate::analysis::HeldLobe;
 use crate::bxdf::math::frame;
 use crate::ui::scene3d::{self, HomeView, OrbitCamera, SceneView};
 use crate::ui::session::Session;
@@ -40,8 +40,6 @@ const UPPER_ZOOM: f32 = 1.15;
 const ARC_RADIUS: f32 = 0.42;
 /// A shorter projection of the held direction has no azimuth worth drawing.
 const FLAT: f32 = 1e-3;
-/// What one notch of the wheel zooms by is e to this times its points.
-const ZOOM_PER_POINT: f32 = 0.003;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let rect = ui.available_rect_before_wrap();
@@ -99,7 +97,7 @@ fn move_camera(ui: &Ui, response: &egui::Response, session: &mut Session) {
     }
     if response.hovered() {
         let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-        let factor = (ZOOM_PER_POINT * scroll).exp() * pinch;
+        let factor = (draw::ZOOM_PER_POINT * scroll).exp() * pinch;
         if factor != 1.0 {
             camera.zoom(factor);
         }
@@ -177,7 +175,7 @@ fn read_out(
     ui.painter_at(response.rect)
         .circle_stroke(pointer, 4.0, (1.5, cx.palette.ink));
     let surface = cx.data.surface(cx.session);
-    let lobe = Lobe::new(&**surface, cx.session.hold, cx.session.held());
+    let lobe = HeldLobe::new(&**surface, cx.session.hold, cx.session.held());
     let cosine = if cx.session.with_cosine {
         direction.z.abs()
     } else {

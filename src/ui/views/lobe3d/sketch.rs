@@ -98,6 +98,7 @@ impl Sketch<'_> {
         );
         if session.show_geometry {
             self.label_geometry(session);
+            self.label_grid();
         }
     }
 
@@ -109,16 +110,22 @@ impl Sketch<'_> {
         let eye = self.camera.eye().as_dvec3();
         let facing = (frame::phi(eye).to_degrees() / GRID_STEP_DEG).round() * GRID_STEP_DEG;
         let label = |place: Vec3, degrees: f64| {
-            if let Some(position) = self.camera.project(place, self.rect) {
-                let painter = self.ui.painter_at(self.rect);
-                let (font, color) = (draw::small_font(self.ui), self.palette.faint_ink);
-                painter.text(
-                    position,
-                    Align2::CENTER_CENTER,
-                    format::degrees(degrees),
-                    font,
-                    color,
-                );
+            let Some(position) = self.camera.project(place, self.rect) else {
+                return;
+            };
+            let painter = self.ui.painter_at(self.rect);
+            let text = format::degrees(degrees);
+            let galley =
+                painter.layout_no_wrap(text, draw::small_font(self.ui), self.palette.faint_ink);
+            let rect = Align2::CENTER_CENTER.anchor_size(position, galley.size());
+            // A name is worth more than one of many numbers.
+            if self
+                .taken
+                .borrow()
+                .iter()
+                .all(|other| !other.intersects(rect))
+            {
+                painter.galley(rect.min, galley, self.palette.faint_ink);
             }
         };
         for step in 0..12 {
@@ -131,7 +138,6 @@ impl Sketch<'_> {
     }
 
     fn label_geometry(&self, session: &Session) {
-        self.label_grid();
         let held = session.held().as_vec3();
         let flat = Vec3::new(held.x, held.y, 0.0);
         let color = self.palette.geometry;

@@ -1,10 +1,10 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
 use egui::{Ui, vec2};
-use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
+use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi};
 
 use super::{Cursor, ViewContext, ViewSpec};
-use crate::analysis::Lobe;
+use crate::analysis::HeldLobe;
 use crate::analysis::lobe::Arrow;
 use crate::analysis::polar::{self, Section};
 use crate::bxdf::math::frame;
@@ -56,12 +56,14 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .show_crosshair(false)
         .show_background(false)
         .allow_boxed_zoom(false)
+        .allow_scroll(false)
         .set_margin_fraction(vec2(0.0, 0.0))
         .default_x_bounds(window.min()[0], window.max()[0])
         .default_y_bounds(window.min()[1], window.max()[1])
         .label_formatter(|_| None);
     let palette = *cx.palette;
     let response = plot.show(ui, |plot_ui| {
+        zoom_by_scrolling(plot_ui);
         canvas::draw_grid(plot_ui, &radial, &palette, has_lower);
         canvas::draw_curves(plot_ui, cx.session, &section, &radial, &palette);
         canvas::draw_directions(plot_ui, cx.session, &palette);
@@ -83,6 +85,15 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         cx.state.keep_arrangement(has_lower);
     } else {
         read_out(ui, cx, &response.response, &transform, &radial, has_lower);
+    }
+}
+
+/// The wheel zooms about the pointer, as in the 3D view; egui_plot would pan.
+fn zoom_by_scrolling(plot_ui: &mut PlotUi<'_>) {
+    let scroll = plot_ui.ctx().input(|input| input.smooth_scroll_delta().y);
+    if scroll != 0.0 && plot_ui.response().hovered() {
+        plot_ui
+            .zoom_bounds_around_hovered(egui::Vec2::splat((draw::ZOOM_PER_POINT * scroll).exp()));
     }
 }
 
@@ -173,7 +184,7 @@ fn read_out(
     let surface = cx.data.surface(cx.session);
     let request = section_request(cx.session);
     let value = polar::value_at(
-        &Lobe::new(&**surface, cx.session.hold, cx.session.held()),
+        &HeldLobe::new(&**surface, cx.session.hold, cx.session.held()),
         &request,
         angle,
     );
