@@ -3,6 +3,7 @@
 //! The conventions (frame, directions, units, deltas) are those of the crate documentation.
 
 pub mod material;
+pub mod material_file;
 pub mod math;
 pub mod microfacet;
 pub mod models;

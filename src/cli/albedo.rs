@@ -17,7 +17,8 @@ const TOLERANCE: f64 = 1e-9;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id or id:name=value,name=value
+    /// The material: id, id:name=value,name=value, or a .toml file
+    #[arg(value_parser = args::material)]
     material: Material,
     /// The polar angles of incidence in degrees, 0 to 180
     #[arg(

@@ -5,6 +5,7 @@ use std::path::Path;
 use xprec::Df64;
 
 use crate::bxdf::math::Real;
+use crate::bxdf::{Material, material_file};
 use crate::error::{Error, Result};
 
 /// The word that stands for standard input or output.
@@ -13,6 +14,16 @@ pub(super) const STANDARD_STREAM: &str = "-";
 /// Whether `path` stands for standard input or output.
 pub(super) fn is_standard_stream(path: &Path) -> bool {
     path == Path::new(STANDARD_STREAM)
+}
+
+/// Reads a material: `id`, `id:name=value,name=value`, or the path of a material file.
+pub(super) fn material(text: &str) -> Result<Material> {
+    let path = Path::new(text);
+    if path.extension().is_none_or(|extension| extension != "toml") {
+        return text.parse();
+    }
+    let file = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
+    material_file::parse(&file, text)
 }
 
 /// A precision, by name.

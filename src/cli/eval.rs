@@ -17,7 +17,8 @@ const RESULTS: [&str; 4] = ["f_r", "f_g", "f_b", "pdf"];
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id or id:name=value,name=value
+    /// The material: id, id:name=value,name=value, or a .toml file
+    #[arg(value_parser = args::material)]
     material: Material,
     /// The precision of the arithmetic: f32, f64 or reference
     #[arg(long, value_parser = args::precision, default_value = <f64 as Real>::NAME)]

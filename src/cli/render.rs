@@ -22,8 +22,8 @@ pub struct Arguments {
     /// The session to start from
     #[arg(long, value_name = "FILE")]
     session: Option<PathBuf>,
-    /// The material to show: id or id:name=value,name=value
-    #[arg(long = "material", value_name = "MATERIAL")]
+    /// The material to show: id, id:name=value,name=value, or a .toml file
+    #[arg(long = "material", value_name = "MATERIAL", value_parser = args::material)]
     materials: Vec<Material>,
     /// The direction held while the lobe is drawn over the other: wi or wo
     #[arg(long, value_parser = hold)]

@@ -23,7 +23,8 @@ const MAX_SAMPLES: u64 = 1_000_000_000;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id or id:name=value,name=value
+    /// The material: id, id:name=value,name=value, or a .toml file
+    #[arg(value_parser = args::material)]
     material: Material,
     /// The direction to the viewer in degrees, theta from the normal
     #[arg(long, value_name = "THETA,PHI", value_parser = args::angles, allow_hyphen_values = true)]

@@ -66,3 +66,41 @@ fn albedo_tells_sides_azimuths_and_anisotropy_apart() {
         assert!(line.contains(expected), "{line}");
     }
 }
+
+#[test]
+fn a_material_file_stands_for_its_material() {
+    let file = std::env::temp_dir().join(format!(
+        "brdf-explorer-material-{}.toml",
+        std::process::id()
+    ));
+    std::fs::write(
+        &file,
+        "[[lobes]]\nmodel = \"lambertian_reflection\"\nreflectance = 0.25\n",
+    )
+    .unwrap();
+    let run = || {
+        std::process::Command::new(env!("CARGO_BIN_EXE_brdf-explorer"))
+            .arg("albedo")
+            .arg(&file)
+            .args(["--theta", "30", "--json"])
+            .output()
+            .unwrap()
+    };
+    let output = run();
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!((report["rows"][0]["reflection"][0].as_f64().unwrap() - 0.25).abs() < 1e-9);
+    std::fs::write(
+        &file,
+        "[[lobes]]\nmodel = \"lambertian_reflection\"\nreflectance = 2\n",
+    )
+    .unwrap();
+    let output = run();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("line 3") && message.trim_end().lines().count() == 1,
+        "{message}"
+    );
+    std::fs::remove_file(&file).unwrap();
+    assert_eq!(run().status.code(), Some(2), "a missing file");
+}
