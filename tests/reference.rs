@@ -30,14 +30,28 @@ const PRINTED: f64 = 2.3e-16;
 /// relative error of 1e-16 / |wo + wi|^2, 1e-13 where both graze. It shows through the Fresnel factor (1.4e-14).
 const UNIT_INPUT: f64 = 1e-13;
 
-const FILES: [File; 7] = [
+/// As [`UNIT_INPUT`], in a model divided by the cosine with the facet, at a pair .1 degrees from the horizon and opposed:
+/// |wo + wi| is .0035 there, and 1e-16 / |wo + wi|^2 is 8e-12. Measured: 8.3e-13.
+const OPPOSED_INPUT: f64 = 8e-12;
+
+const FILES: [File; 17] = [
+    file("ashikhmin_shirley_1.csv", 37, OPPOSED_INPUT),
+    file("burley_diffuse_1.csv", 37, PRINTED),
+    file("eon_1.csv", 37, PRINTED),
     file("lambertian_reflection_1.csv", 41, PRINTED),
     file("lambertian_transmission_1.csv", 43, PRINTED),
     file("oren_nayar_1.csv", 37, PRINTED),
+    file("phong_1.csv", 37, UNIT_INPUT),
     file("rough_conductor_1.csv", 37, PRINTED),
     file("rough_conductor_2.csv", 37, PRINTED),
     file("rough_conductor_3.csv", 37, PRINTED),
     file("rough_conductor_4.csv", 37, UNIT_INPUT),
+    file("rough_conductor_5.csv", 37, UNIT_INPUT),
+    file("rough_conductor_6.csv", 37, UNIT_INPUT),
+    file("rough_dielectric_1.csv", 53, UNIT_INPUT),
+    file("rough_dielectric_2.csv", 53, UNIT_INPUT),
+    file("rough_dielectric_3.csv", 53, 2.0 * UNIT_INPUT),
+    file("ward_1.csv", 37, PRINTED),
 ];
 
 const fn file(name: &'static str, rows: usize, tolerance: f64) -> File {
@@ -130,11 +144,14 @@ fn compare<R: Precision>(tolerance: fn(&File, f64) -> f64) {
                 .zip(&row.expected)
                 .zip(["f_r", "f_g", "f_b", "pdf"])
             {
-                let error = if *expected == 0.0 {
-                    found.abs()
+                // What lies below the smallest normal number has no digits to compare.
+                let smallest = R::min_positive_value().as_f64();
+                let error = if expected.abs() < smallest {
+                    (found.abs() / smallest - 1.0).max(0.0)
                 } else {
                     (found / expected - 1.0).abs()
                 };
+                let allowed = allowed * tail(*expected);
                 if error.is_nan() || error > allowed {
                     failures.push(format!(
                         "{}:{} {name} in {}: {found} for {expected}, off by {error:.1e}, allowed {allowed:.1e}",
@@ -149,11 +166,17 @@ fn compare<R: Precision>(tolerance: fn(&File, f64) -> f64) {
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
+/// What the tail of a Gaussian does to the errors of its argument q: exp(-q) multiplies them by q. Measured 25 times less
+/// than the other tolerances give room for.
+fn tail(value: f64) -> f64 {
+    1.0 + (-value.ln()).clamp(0.0, 1e3) / 25.0
+}
+
 #[test]
 fn f64_agrees() {
     // Two dozen roundings, and UNIT_INPUT's; a formula that cancels loses 3e-15 / alpha^2 = 3e-9 in the first
     // conductor's file. Measured: 1.4e-14.
-    compare::<f64>(|_, _| 1e-13);
+    compare::<f64>(|file, _| file.tolerance.max(1e-13));
 }
 
 #[test]

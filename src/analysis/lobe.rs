@@ -110,6 +110,7 @@ impl<'a> HeldLobe<'a> {
             seeds.directions.push(direction);
             seeds.sum += weight.into_iter().fold(0.0, f64::max);
         });
+        seeds.directions.extend(self.outer_lobes());
         seeds
     }
 
@@ -170,6 +171,30 @@ impl<'a> HeldLobe<'a> {
             let scale = direction.z.abs() / sample.pdf;
             visit(direction, self.value(direction).map(|f| f * scale));
         }
+    }
+
+    /// Directions of the lobes that are seldom sampled, as many for each as of a model with one lobe.
+    ///
+    /// A model chooses among its lobes by one number; its ends choose the first and the last of them, however faint.
+    /// Empty where they choose the same.
+    fn outer_lobes(&self) -> Vec<DVec3> {
+        let ends = [0.0, 1.0 - 0.5 * f64::EPSILON];
+        let n = SEEDS_PER_SIDE;
+        let centre = |index: u32| (f64::from(index) + 0.5) / f64::from(n);
+        let sample = |uc: f64, i: u32, j: u32| {
+            let sample = self
+                .bxdf
+                .sample_f(self.held.into(), uc, [centre(i), centre(j)])?;
+            (!sample.is_delta && sample.pdf > 0.0).then(|| DVec3::from(sample.wi))
+        };
+        let [first, last] = ends.map(|uc| sample(uc, n / 3, n / 2));
+        if first == last {
+            return Vec::new();
+        }
+        let cells = || (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        ends.into_iter()
+            .flat_map(|uc| cells().filter_map(move |(i, j)| sample(uc, i, j)))
+            .collect()
     }
 }
 

@@ -52,12 +52,8 @@ pub fn directional_hemispherical_within(
 ) -> Reflectance {
     let lobe = HeldLobe::new(bxdf, Hold::Light, wi);
     let integrand = |wo: DVec3| lobe.value(wo).map(|f| f * wo.z.abs());
-    let mut sides = integrate_sphere(
-        integrand,
-        &lobe.seeds().directions,
-        tolerance,
-        max_evaluations,
-    );
+    let seeds = lobe.seeds().directions;
+    let mut sides = integrate_sphere(integrand, &seeds, tolerance, max_evaluations);
     if sides.iter().any(|side| !side.has_converged) {
         check_by_sampling(&lobe, max_evaluations, &mut sides);
     }

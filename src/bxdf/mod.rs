@@ -2,6 +2,7 @@
 //!
 //! The conventions (frame, directions, units, deltas) are those of the crate documentation.
 
+pub mod glossy;
 pub mod material;
 pub mod material_file;
 pub mod math;
@@ -38,10 +39,38 @@ pub trait Bxdf<R: Real>: Send + Sync {
     /// `None` is "no sample": a random choice that leaves the hemisphere, or total internal reflection.
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>>;
 
+    /// The part of `f` that belongs to the lobe at `index` of the model's [`ModelSpec::lobes`]; the parts sum to `f`.
+    ///
+    /// Models with one lobe need not say more than `f`; a perfect specular lobe has no value, its part is 0.
+    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        if index == 0 {
+            self.f(wo, wi)
+        } else {
+            Spectrum::black()
+        }
+    }
+
+    /// The factors of a microfacet model at a pair of directions. `None` for other models, and where there is no
+    /// half vector.
+    fn microfacet(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Option<Microfacet<R>> {
+        None
+    }
+
     /// The Dirac delta lobes of `w`, at most one to either side; none for most models.
     fn deltas(&self, _w: Vec3<R>) -> Deltas<R> {
         [None, None]
     }
+}
+
+/// The factors of a microfacet lobe: its value is F D G over 4 |cos(theta_o) cos(theta_i)| in reflection.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Microfacet<R> {
+    /// The density of microfacet normals at the half vector, in 1/sr.
+    pub d: R,
+    /// Masking and shadowing together, 0..1.
+    pub g: R,
+    /// The Fresnel factor of a facet: reflectance, or transmittance where the directions are across the surface.
+    pub fresnel: Spectrum<R>,
 }
 
 /// What [`Bxdf::sample_f`] returns.

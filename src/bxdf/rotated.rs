@@ -2,7 +2,7 @@
 
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
-use super::{Bxdf, Delta, Deltas, Sample};
+use super::{Bxdf, Delta, Deltas, Microfacet, Sample};
 
 /// `inner` on a surface whose s axis points to azimuth `angle`: the same model with all directions turned.
 pub struct Rotated<R: Real> {
@@ -58,6 +58,16 @@ impl<R: Real> Bxdf<R> for Rotated<R> {
             wi: self.fixed_from_local(sample.wi),
             ..sample
         })
+    }
+
+    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        self.inner
+            .lobe_f(index, self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
+        self.inner
+            .microfacet(self.local_from_fixed(wo), self.local_from_fixed(wi))
     }
 
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {

@@ -100,6 +100,8 @@ pub struct Lobe {
     pub category: Category,
     /// The side of the surface.
     pub side: Side,
+    /// What tells it from the other lobes of its model: `coat`, `sheen`; empty for the only one of its kind.
+    pub name: &'static str,
 }
 
 impl Lobe {
@@ -109,6 +111,7 @@ impl Lobe {
         Self {
             category,
             side: Side::Reflection,
+            name: "",
         }
     }
 
@@ -118,7 +121,14 @@ impl Lobe {
         Self {
             category,
             side: Side::Transmission,
+            name: "",
         }
+    }
+
+    /// The lobe under this name.
+    #[must_use]
+    pub const fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod albedo;
 mod args;
+mod check;
 mod eval;
 mod input;
 mod models;
@@ -21,6 +22,9 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::error::{Error, Result};
+
+/// The exit code of a check that failed.
+const CHECK_FAILED: u8 = 1;
 
 /// The exit code of bad input, and of a machine that lacks what was asked for.
 const BAD_INPUT: u8 = 2;
@@ -49,6 +53,8 @@ enum Verb {
     Sample(sample::Arguments),
     /// Measure the directional-hemispherical reflectance
     Albedo(albedo::Arguments),
+    /// Check the laws a model should keep
+    Check(check::Arguments),
     /// Render the window into a picture
     #[cfg(feature = "gui")]
     Render(render::Arguments),
@@ -69,7 +75,7 @@ fn run() -> ExitCode {
         Err(error) => return refuse(&error),
     };
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         // Whoever reads the results has read enough.
         Err(Error::Io { source, .. }) if source.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
@@ -81,16 +87,22 @@ fn run() -> ExitCode {
     }
 }
 
-fn dispatch(verb: Option<Verb>) -> Result<()> {
+fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
     match verb {
-        None => window(),
-        Some(Verb::Models(arguments)) => models::run(&arguments),
-        Some(Verb::Eval(arguments)) => eval::run(&arguments),
-        Some(Verb::Sample(arguments)) => sample::run(&arguments),
-        Some(Verb::Albedo(arguments)) => albedo::run(&arguments),
+        None => window()?,
+        Some(Verb::Models(arguments)) => models::run(&arguments)?,
+        Some(Verb::Eval(arguments)) => eval::run(&arguments)?,
+        Some(Verb::Sample(arguments)) => sample::run(&arguments)?,
+        Some(Verb::Albedo(arguments)) => albedo::run(&arguments)?,
+        Some(Verb::Check(arguments)) => {
+            if !check::run(&arguments)? {
+                return Ok(ExitCode::from(CHECK_FAILED));
+            }
+        }
         #[cfg(feature = "gui")]
-        Some(Verb::Render(arguments)) => render::run(&arguments.request()?),
+        Some(Verb::Render(arguments)) => render::run(&arguments.request()?)?,
     }
+    Ok(ExitCode::SUCCESS)
 }
 
 #[cfg(feature = "gui")]

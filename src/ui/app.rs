@@ -62,12 +62,13 @@ impl App {
     }
 
     fn show_side(&mut self, ui: &mut Ui) {
+        ui.add_space(4.0);
+        self.picker.show(ui, &mut self.session.material);
+        ui.separator();
         ScrollArea::vertical()
+            .id_salt("parameters")
             .auto_shrink([false, false])
             .show(ui, |ui| {
-                ui.add_space(4.0);
-                self.picker.show(ui, &mut self.session.material);
-                ui.separator();
                 let model = self.session.material.model();
                 ui.label(RichText::new(model.title).strong())
                     .on_hover_text(model.source);

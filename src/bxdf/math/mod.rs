@@ -2,6 +2,7 @@
 
 pub mod frame;
 pub mod real;
+pub mod special;
 pub mod vec3;
 pub mod warp;
 

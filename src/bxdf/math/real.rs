@@ -5,6 +5,8 @@ use std::fmt::Debug;
 use num_traits::{Float, FloatConst};
 use xprec::Df64;
 
+use super::special;
+
 /// A floating-point type a model can be evaluated in: `f32`, `f64`, or [`Df64`] (double-double, 2 x 53 bits), which
 /// serves as the *reference*.
 ///
@@ -22,6 +24,14 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
 
     /// The `f64` nearest to `self`.
     fn as_f64(self) -> f64;
+
+    /// The error function 2/sqrt(pi) times the integral of exp(-t^2) from 0 to `self`.
+    #[must_use]
+    fn erf(self) -> Self;
+
+    /// 1 - erf(`self`), which keeps its digits where `self` is large.
+    #[must_use]
+    fn erfc(self) -> Self;
 
     /// `self` squared.
     #[must_use]
@@ -69,6 +79,16 @@ impl Real for f32 {
     fn as_f64(self) -> f64 {
         f64::from(self)
     }
+
+    #[inline]
+    fn erf(self) -> Self {
+        libm::erff(self)
+    }
+
+    #[inline]
+    fn erfc(self) -> Self {
+        libm::erfcf(self)
+    }
 }
 
 impl Real for f64 {
@@ -84,6 +104,16 @@ impl Real for f64 {
     fn as_f64(self) -> f64 {
         self
     }
+
+    #[inline]
+    fn erf(self) -> Self {
+        libm::erf(self)
+    }
+
+    #[inline]
+    fn erfc(self) -> Self {
+        libm::erfc(self)
+    }
 }
 
 impl Real for Df64 {
@@ -98,6 +128,16 @@ impl Real for Df64 {
     #[inline(always)]
     fn as_f64(self) -> f64 {
         self.hi() + self.lo()
+    }
+
+    #[inline]
+    fn erf(self) -> Self {
+        special::erf(self)
+    }
+
+    #[inline]
+    fn erfc(self) -> Self {
+        special::erfc(self)
     }
 }
 

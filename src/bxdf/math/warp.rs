@@ -26,6 +26,33 @@ pub fn cosine_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
     Vec3::new(radius * cos, radius * sin, z)
 }
 
+/// Uniform points of the unit square to the hemisphere about +z, density 1 / (2 pi) per solid angle; never the horizon.
+///
+/// u\[0\] is 1 - cos(theta), so that neither the pole nor the horizon loses digits.
+#[inline(always)]
+pub fn uniform_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
+    let (z, radius) = (R::one() - u[0], (u[0] * (R::of(2.0) - u[0])).sqrt_clamped());
+    let (sin, cos) = Float::sin_cos(R::TAU() * u[1]);
+    Vec3::new(radius * cos, radius * sin, z)
+}
+
+/// A mixture of [`cosine_hemisphere`], which has the share `cosine_share` and is chosen where `uc` is below it, and
+/// [`uniform_hemisphere`]: the shape of lobes that lose their cosine where the other direction grazes.
+#[inline(always)]
+pub fn mixed_hemisphere<R: Real>(cosine_share: R, uc: R, u: [R; 2]) -> Vec3<R> {
+    if uc < cosine_share {
+        cosine_hemisphere(u)
+    } else {
+        uniform_hemisphere(u)
+    }
+}
+
+/// The density of [`mixed_hemisphere`] at a direction of cosine `mu`, in 1/sr.
+#[inline(always)]
+pub fn mixed_hemisphere_pdf<R: Real>(cosine_share: R, mu: R) -> R {
+    (cosine_share * mu + (R::one() - cosine_share) * R::of(0.5)) * R::FRAC_1_PI()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -62,5 +89,25 @@ mod tests {
                 "{w:?}"
             );
         }
+    }
+
+    #[test]
+    fn uniform_directions_have_a_uniform_cosine_and_stay_off_the_horizon() {
+        for (u0, z) in [
+            (0.0, 1.0),
+            (0.25, 0.75),
+            (1.0 - f64::EPSILON / 2.0, f64::EPSILON / 2.0),
+        ] {
+            let w = uniform_hemisphere([u0, 0.3]);
+            assert!(
+                w.z == z && (w.length_squared() - 1.0).abs() < 1e-15,
+                "{w:?}"
+            );
+        }
+        let grazing: Vec3<f64> = mixed_hemisphere(0.25, 0.25, [0.9, 0.5]);
+        assert!((grazing.z - 0.1).abs() < 1e-15);
+        // Both shares integrate to 1: 2 pi int (c mu + (1 - c)/2)/pi dmu = c + (1 - c).
+        let density: f64 = mixed_hemisphere_pdf(0.25, 0.5);
+        assert!((density * std::f64::consts::PI - 0.5).abs() < 1e-15);
     }
 }

@@ -9,7 +9,7 @@
 
 use num_traits::Float;
 
-use super::Masking;
+use super::{Masked, Masking};
 use crate::bxdf::math::{Real, Vec3};
 
 /// GGX with widths `alpha_x`, `alpha_y` along s and t, both above 0.
@@ -41,28 +41,34 @@ impl<R: Real> Ggx<R> {
         (w.z * w.z + x * x + y * y).sqrt()
     }
 
-    /// D(wh) G2 / (4 mu_o mu_i) of two directions on the same side: the lobe less its Fresnel factor. Saturates.
-    ///
-    /// Correlated: G2 / (4 mu_o mu_i) = 1/2 / (t_i mu_o + t_o mu_i), separable: 1 / ((mu_i + t_i)(mu_o + t_o)),
-    /// t = [`Self::stretched_length`]: no division by a cosine.
+    /// [`Self::stretched_length`] less |z|, without their difference: 2 |z| Lambda(w).
     #[inline(always)]
-    pub fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
-        let (mu_o, mu_i) = (wo.z.abs(), wi.z.abs());
-        let (t_o, t_i) = (self.stretched_length(wo), self.stretched_length(wi));
-        let denominator = match masking {
-            Masking::Correlated => R::of(2.0) * (t_i * mu_o + t_o * mu_i),
-            Masking::Separable => (mu_i + t_i) * (mu_o + t_o),
-        };
-        // Double grazing can underflow the denominator to 0; the smallest normal number makes that saturation.
-        (self.d(wh) / denominator.max(R::min_positive_value())).saturated()
+    pub fn masking_excess(&self, w: Vec3<R>) -> R {
+        let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
+        let denominator = self.stretched_length(w) + w.z.abs();
+        (x * x + y * y) / denominator.max(R::min_positive_value())
     }
 
-    /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`:
-    /// D G1(wo) (wo.wh) / mu_o over 4 (wo.wh), that is D / (2 (mu_o + t_o)).
+    /// D(wh) G2 / (4 mu_o mu_i) of two directions on the same side: the lobe less its Fresnel factor. Saturates.
+    #[inline(always)]
+    pub fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
+        let (o, i) = (self.masked(wo), self.masked(wi));
+        o.visibility(i, masking, self.d(wh))
+    }
+
+    /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`.
     #[inline(always)]
     pub fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
-        let denominator = R::of(2.0) * (wo.z.abs() + self.stretched_length(wo));
-        (self.d(wh) / denominator.max(R::min_positive_value())).saturated()
+        self.masked(wo).reflection_pdf(self.d(wh))
+    }
+
+    /// What masks `w`.
+    #[inline(always)]
+    pub(super) fn masked(&self, w: Vec3<R>) -> Masked<R> {
+        Masked {
+            mu: w.z.abs(),
+            t: self.stretched_length(w),
+        }
     }
 
     /// A visible normal of `wo` (on the upper side), by the spherical cap of the stretched configuration.

@@ -1,6 +1,12 @@
 //! Microfacet distributions: D, the masking functions and visible normals.
 
+pub mod beckmann;
+pub mod distribution;
 pub mod ggx;
+mod lost_energy;
+pub mod multiple_scattering;
+
+pub use distribution::Distribution;
 
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::param::{ParamSet, ParamSpec, Scale};
@@ -31,6 +37,48 @@ impl Masking {
         } else {
             Self::Correlated
         }
+    }
+}
+
+/// How much of a direction is masked: its cosine and t = mu (1 + 2 Lambda), with which every Smith factor is written
+/// without a tangent and without a division by a cosine.
+#[derive(Clone, Copy, Debug)]
+struct Masked<R> {
+    mu: R,
+    t: R,
+}
+
+impl<R: Real> Masked<R> {
+    /// `d` G2 / (4 mu_o mu_i): correlated, G2 / (4 mu_o mu_i) = 1/2 / (t_i mu_o + t_o mu_i), separable
+    /// 1 / ((mu_i + t_i)(mu_o + t_o)). Saturates.
+    #[inline(always)]
+    fn visibility(self, other: Self, masking: Masking, d: R) -> R {
+        let denominator = match masking {
+            Masking::Correlated => R::of(2.0) * (other.t * self.mu + self.t * other.mu),
+            Masking::Separable => (other.mu + other.t) * (self.mu + self.t),
+        };
+        // Double grazing can underflow the denominator to 0; the smallest normal number makes that saturation.
+        (d / denominator.max(R::min_positive_value())).saturated()
+    }
+
+    /// Masking and shadowing together, 0..1.
+    fn g2(self, other: Self, masking: Masking) -> R {
+        let ratio = |m: Self| m.mu / m.t.max(R::min_positive_value());
+        let (o, i) = (ratio(self), ratio(other));
+        let (one, two) = (R::one(), R::of(2.0));
+        let g2 = match masking {
+            Masking::Correlated => two * o * i / (o + i).max(R::min_positive_value()),
+            Masking::Separable => two * o / (one + o) * (two * i / (one + i)),
+        };
+        g2.min(one)
+    }
+
+    /// The density of the reflected direction when a visible normal of density `d` mirrors this direction: D G1 (wo.wh)
+    /// / mu_o over 4 (wo.wh), that is D / (2 (mu_o + t_o)).
+    #[inline(always)]
+    fn reflection_pdf(self, d: R) -> R {
+        let denominator = R::of(2.0) * (self.mu + self.t);
+        (d / denominator.max(R::min_positive_value())).saturated()
     }
 }
 

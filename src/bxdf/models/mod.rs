@@ -1,13 +1,25 @@
 //! The catalogue: one file per model, and the one list of them.
 
+mod ashikhmin_shirley;
+mod blinn_phong;
+mod burley_diffuse;
+mod charlie_sheen;
+mod cook_torrance;
+mod eon;
 mod fresnel_specular;
+mod hapke;
 mod lambertian_reflection;
 mod lambertian_transmission;
 mod oren_nayar;
+mod phong;
 mod retro_reflector;
 mod rough_conductor;
+mod rough_dielectric;
 mod specular_reflection;
 mod specular_transmission;
+mod thin_dielectric;
+mod velvet;
+mod ward;
 
 use super::math::{Real, Vec3};
 use super::param::ParamSpec;
@@ -16,15 +28,27 @@ use super::{Bxdf, Sample};
 use crate::error::{Error, Result};
 
 /// Every model, in the order of the catalogue: grouped by category.
-pub static MODELS: [&ModelSpec; 8] = [
+pub static MODELS: [&ModelSpec; 20] = [
     &lambertian_reflection::SPEC,
     &lambertian_transmission::SPEC,
     &oren_nayar::SPEC,
+    &eon::SPEC,
+    &burley_diffuse::SPEC,
     &rough_conductor::SPEC,
+    &rough_dielectric::SPEC,
+    &phong::SPEC,
+    &blinn_phong::SPEC,
+    &ward::SPEC,
+    &ashikhmin_shirley::SPEC,
+    &cook_torrance::SPEC,
     &specular_reflection::SPEC,
     &specular_transmission::SPEC,
     &fresnel_specular::SPEC,
+    &thin_dielectric::SPEC,
     &retro_reflector::SPEC,
+    &hapke::SPEC,
+    &velvet::SPEC,
+    &charlie_sheen::SPEC,
 ];
 
 /// The model to begin with: its lobe shows at once what the direction of the light does.

@@ -29,20 +29,21 @@ pub struct Dielectric<R> {
 #[inline(always)]
 pub fn dielectric<R: Real>(cos_i: R, n: R) -> Dielectric<R> {
     let c = cos_i.min(R::one());
-    dielectric_of(c, (R::one() - c) * (R::one() + c), n)
+    dielectric_with_sine(c, (R::one() - c) * (R::one() + c), n)
 }
 
 /// [`dielectric`] along the unit vector `w`: sin^2 comes from its components in the surface, which keep the digits that
 /// a cosine near 1 has lost. Seen from a medium of index 1000 all that crosses lies within 1e-3 of the normal.
 #[inline(always)]
 pub fn dielectric_along<R: Real>(w: Vec3<R>, n: R) -> Dielectric<R> {
-    dielectric_of(w.z.abs().min(R::one()), w.x * w.x + w.y * w.y, n)
+    dielectric_with_sine(w.z.abs(), w.x * w.x + w.y * w.y, n)
 }
 
-/// [`dielectric`] of the cosine `c` and the square of the sine `s2`.
+/// [`dielectric`] of the cosine `cos_i` and the square `s2` of the sine, where the sine is known better than by the cosine.
 #[inline(always)]
-fn dielectric_of<R: Real>(c: R, s2: R, n: R) -> Dielectric<R> {
+pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
     let one = R::one();
+    let c = cos_i.min(one);
     let d = (n - one) * (n + one);
     // c^2 + d = n^2 - s^2: the sum of the smaller terms, so that neither a small index nor one near 1 cancels.
     let c2 = c * c;
@@ -79,6 +80,18 @@ fn dielectric_of<R: Real>(c: R, s2: R, n: R) -> Dielectric<R> {
             cos_t: R::zero(),
         }
     }
+}
+
+/// Dielectric transmittance between two directions that refract into each other, by both their cosines `cos_i` and
+/// `cos_t`, above 0; `n` as in [`dielectric`].
+///
+/// With G = n cos_t both polarisations are sums of positive terms: near the critical angle, where n^2 - sin^2 cancels,
+/// the cosine itself is known better.
+#[inline(always)]
+pub fn transmittance_between<R: Real>(cos_i: R, cos_t: R, n: R) -> R {
+    let (s, p) = (cos_i + n * cos_t, n * cos_i + cos_t);
+    let product = R::of(2.0) * n * cos_i * cos_t;
+    (product / (s * s) + product / (p * p)).min(R::one())
 }
 
 /// The direction refracted at the plane z = 0: `w` points away from the surface, the result too, on the other side.

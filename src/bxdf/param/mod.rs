@@ -152,6 +152,12 @@ impl ParamSpec {
         spec
     }
 
+    /// True or false.
+    #[must_use]
+    pub const fn flag(name: &'static str, default: bool, meaning: &'static str) -> Self {
+        Self::new(name, Kind::Bool, Value::Bool(default), meaning)
+    }
+
     /// The spec with this hard range, and the same soft one.
     #[must_use]
     pub const fn hard(mut self, min: f64, max: f64) -> Self {

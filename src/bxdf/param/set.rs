@@ -112,6 +112,15 @@ impl ParamSet {
         }
     }
 
+    /// Whether `name` is true; false for a name the model does not have, as in [`Self::number`].
+    #[must_use]
+    pub fn flag(&self, name: &str) -> bool {
+        match self.get(name) {
+            Some(Value::Bool(flag)) => flag,
+            other => self.misread(name, other, false),
+        }
+    }
+
     /// The value of `name`, if the model has such a parameter.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<Value> {

@@ -18,11 +18,25 @@ pub(super) struct Chart {
 }
 
 enum Shape {
-    /// x = theta from the hemisphere's pole, y = azimuth.
-    Polar,
+    /// x = asinh(elevation / scale), y = azimuth. The scale is wo's own elevation: a diffuse lobe seen near the horizon
+    /// bends where wi is as low, and a grid of even steps in theta would miss that strip.
+    Polar { scale: f64 },
     /// x, y = asinh(slope / scale) of the half vector of `wo` and wi, or of wi mirrored about the normal.
     Half { scale: [f64; 2], is_back: bool },
+    /// x, y = asinh((q - centre) / scale) of the stereographic image q = (wi.x, wi.y) / (1 + wi.z), in which the
+    /// hemisphere is the unit disc: a refracted lobe is a bump about its centre, and the horizon is smooth.
+    Bump { centre: [f64; 2], scale: [f64; 2] },
+    /// x, y = asinh(slope / scale) of the normal that refracts `wo` into wi, `e` being the index across: a blade that
+    /// bends over the sphere is straight in it. Not every normal does refract; the edge of those that do is ragged.
+    Refracted { scale: [f64; 2], e: f64 },
 }
+
+/// Slopes within this many times the scale are integrated over: the tail of GGX seen from the horizon, 1 / slope, is
+/// then far below the samples' resolution.
+const REACH: f64 = 1e7;
+
+/// Scale below which a refracted lobe is too thin to be told from its bend.
+const THIN: f64 = 0.03;
 
 impl Chart {
     /// The chart of the hemisphere with this sign of z in which the lobe at `wo` is smooth; `inside`: samples in it.
@@ -37,10 +51,14 @@ impl Chart {
                 .iter()
                 .map(|wi| slopes(above(wo), above(*wi), is_back).map(f64::abs))
                 .collect();
-            let scale = [true, false].map(|is_x| median(&mut all, is_x).max(f64::EPSILON));
+            let scale = [true, false].map(|is_x| narrow_scale(&mut all, is_x).max(f64::EPSILON));
             Shape::Half { scale, is_back }
+        } else if !is_near && !inside.is_empty() && subject.has_transmitted_lobe() {
+            transmitted(subject, wo, inside)
         } else {
-            Shape::Polar
+            Shape::Polar {
+                scale: elevation(above(wo)).max(f64::EPSILON),
+            }
         };
         Chart {
             shape,
@@ -52,22 +70,58 @@ impl Chart {
     /// The range of x wide enough for every y; the rows are clipped to [`Self::x_range`].
     pub(super) fn widest_x_range(&self) -> [f64; 2] {
         match self.shape {
-            Shape::Polar => [0.0, FRAC_PI_2],
+            Shape::Polar { scale } => [0.0, (FRAC_PI_2 / scale).asinh()],
             Shape::Half {
                 scale: [scale, _], ..
             } => [-1.0, 1.0].map(|s: f64| ((self.wo.x + s) / self.wo.z / scale).asinh()),
+            Shape::Bump {
+                centre: [cx, _],
+                scale: [sx, _],
+            } => [-1.0, 1.0].map(|edge: f64| ((edge - cx) / sx).asinh()),
+            Shape::Refracted { .. } => [-REACH.asinh(), REACH.asinh()],
+        }
+    }
+
+    /// The largest [`Self::x_range`] of all y in this range: that at the y nearest to the middle of the disc.
+    pub(super) fn widest_x_range_within(&self, [y0, y1]: [f64; 2]) -> [f64; 2] {
+        match self.shape {
+            Shape::Polar { .. } | Shape::Refracted { .. } => self.widest_x_range(),
+            Shape::Half {
+                scale: [_, scale], ..
+            } => {
+                let middle = (self.wo.y / self.wo.z / scale).asinh();
+                self.x_range(middle.max(y0).min(y1))
+            }
+            Shape::Bump {
+                centre: [_, cy],
+                scale: [_, sy],
+            } => {
+                let middle = (-cy / sy).asinh();
+                self.x_range(middle.max(y0).min(y1))
+            }
         }
     }
 
     pub(super) fn coordinates(&self, wi: DVec3) -> [f64; 2] {
         let wi = DVec3::new(wi.x, wi.y, wi.z * self.sign);
         match self.shape {
-            Shape::Polar => [frame::theta(wi), frame::phi(wi)],
+            Shape::Polar { scale } => [(elevation(wi) / scale).asinh(), frame::phi(wi)],
             Shape::Half {
                 scale: [sx, sy],
                 is_back,
             } => {
                 let [x, y] = slopes(self.wo, wi, is_back);
+                [(x / sx).asinh(), (y / sy).asinh()]
+            }
+            Shape::Bump {
+                centre: [cx, cy],
+                scale: [sx, sy],
+            } => {
+                let [qx, qy] = stereographic(wi);
+                [((qx - cx) / sx).asinh(), ((qy - cy) / sy).asinh()]
+            }
+            Shape::Refracted { scale: [sx, sy], e } => {
+                let [x, y] = refracting_slopes(self.wo, wi, e);
                 [(x / sx).asinh(), (y / sy).asinh()]
             }
         }
@@ -76,9 +130,11 @@ impl Chart {
     /// The direction at these coordinates, and the solid angle per unit of their area.
     pub(super) fn direction(&self, [x, y]: [f64; 2]) -> (DVec3, f64) {
         let (wi, density) = match self.shape {
-            Shape::Polar => {
-                let ((sin, cos), (sin_phi, cos_phi)) = (x.sin_cos(), y.sin_cos());
-                (DVec3::new(sin * cos_phi, sin * sin_phi, cos), sin)
+            Shape::Polar { scale } => {
+                let (z, radius) = (scale * x.sinh()).sin_cos();
+                let (sin_phi, cos_phi) = y.sin_cos();
+                let wi = DVec3::new(radius * cos_phi, radius * sin_phi, z);
+                (wi, radius * scale * x.cosh())
             }
             Shape::Half {
                 scale: [sx, sy],
@@ -96,6 +152,21 @@ impl Chart {
                 let stretch = sx * x.cosh() * sy * y.cosh();
                 (wi, 4.0 * cos_d * hz * hz * hz * stretch)
             }
+            Shape::Bump {
+                centre: [cx, cy],
+                scale: [sx, sy],
+            } => {
+                let (qx, qy) = (cx + sx * x.sinh(), cy + sy * y.sinh());
+                let r2 = qx * qx + qy * qy;
+                let wi = DVec3::new(2.0 * qx, 2.0 * qy, 1.0 - r2) / (1.0 + r2);
+                // dwi = 4 dq / (1 + q^2)^2.
+                let stretch = sx * x.cosh() * sy * y.cosh();
+                (wi, 4.0 / ((1.0 + r2) * (1.0 + r2)) * stretch)
+            }
+            Shape::Refracted { scale: [sx, sy], e } => {
+                let (wi, density) = refracted(self.wo, [sx * x.sinh(), sy * y.sinh()], e);
+                (wi, density * sx * x.cosh() * sy * y.cosh())
+            }
         };
         (DVec3::new(wi.x, wi.y, wi.z * self.sign), density)
     }
@@ -103,13 +174,18 @@ impl Chart {
     /// The range of y.
     pub(super) fn y_range(&self) -> [f64; 2] {
         match self.shape {
-            Shape::Polar => [-PI, PI],
+            Shape::Polar { .. } => [-PI, PI],
+            Shape::Refracted { .. } => [-REACH.asinh(), REACH.asinh()],
             Shape::Half {
                 scale: [_, scale], ..
             } => {
                 let (centre, radius) = (self.wo.y / self.wo.z, 1.0 / self.wo.z);
                 [centre - radius, centre + radius].map(|y| (y / scale).asinh())
             }
+            Shape::Bump {
+                centre: [_, cy],
+                scale: [_, sy],
+            } => [-1.0, 1.0].map(|edge: f64| ((edge - cy) / sy).asinh()),
         }
     }
 
@@ -117,7 +193,7 @@ impl Chart {
     /// vectors' slopes are a stereographic projection of wi.
     pub(super) fn x_range(&self, y: f64) -> [f64; 2] {
         match self.shape {
-            Shape::Polar => [0.0, FRAC_PI_2],
+            Shape::Polar { .. } | Shape::Refracted { .. } => self.widest_x_range(),
             Shape::Half {
                 scale: [sx, sy], ..
             } => {
@@ -127,8 +203,83 @@ impl Chart {
                 let centre = self.wo.x * radius;
                 [centre - reach, centre + reach].map(|x| (x / sx).asinh())
             }
+            Shape::Bump {
+                centre: [cx, cy],
+                scale: [sx, sy],
+            } => {
+                let qy = cy + sy * y.sinh();
+                let reach = ((1.0 - qy) * (1.0 + qy)).max(0.0).sqrt();
+                [-reach, reach].map(|edge| ((edge - cx) / sx).asinh())
+            }
         }
     }
+}
+
+/// The angle of `w`, above the surface, from the horizon.
+fn elevation(w: DVec3) -> f64 {
+    w.z.atan2(w.x.hypot(w.y))
+}
+
+/// The image of `w`, above the surface, on the plane of the equator seen from the nadir.
+fn stereographic(w: DVec3) -> [f64; 2] {
+    [w.x / (1.0 + w.z), w.y / (1.0 + w.z)]
+}
+
+/// The slopes of the normal that refracts `wo`, above the surface, into (wi.x, wi.y, -wi.z).
+fn refracting_slopes(wo: DVec3, wi: DVec3, e: f64) -> [f64; 2] {
+    let g = wo + e * DVec3::new(wi.x, wi.y, -wi.z);
+    [g.x / g.z, g.y / g.z]
+}
+
+/// Where the normal of these slopes refracts `wo`, mirrored to above the surface, and the solid angle per area of
+/// slopes: 0 for a normal that does not refract it to the other side.
+fn refracted(wo: DVec3, [x, y]: [f64; 2], e: f64) -> (DVec3, f64) {
+    let hz = 1.0 / (1.0 + x * x + y * y).sqrt();
+    let wh = DVec3::new(x * hz, y * hz, hz);
+    let cos_o = wo.dot(wh);
+    let tangent = wo - wh * cos_o;
+    let cos2_i = 1.0 - tangent.length_squared() / (e * e);
+    let cos_i = cos2_i.max(0.0).sqrt();
+    let wi = -tangent / e - wh * cos_i;
+    if cos_o <= 0.0 || cos2_i <= 0.0 || wi.z >= 0.0 {
+        return (wo, 0.0);
+    }
+    // dwi = |g|^2 / (e^2 |wi.h|) dwh, |g| = |wo.h - e |wi.h||, and dwh = hz^3 per area of slopes.
+    let g = cos_o - e * cos_i;
+    let density = g * g / (e * e * cos_i) * hz * hz * hz;
+    (DVec3::new(wi.x, wi.y, -wi.z).normalize_or_zero(), density)
+}
+
+/// The chart of a refracted lobe with these samples.
+fn transmitted(subject: &Subject, wo: DVec3, inside: &[DVec3]) -> Shape {
+    let e = subject.index_at(-wo) / subject.index_at(wo);
+    let above = |w: &DVec3| DVec3::new(w.x, w.y, w.z.abs());
+    let mut slopes: Vec<[f64; 2]> = inside
+        .iter()
+        .map(|wi| refracting_slopes(above(&wo), above(wi), e).map(f64::abs))
+        .collect();
+    let scale = [true, false].map(|is_x| median(&mut slopes, is_x).max(f64::EPSILON));
+    if e != 1.0 && scale.into_iter().any(|s| s < THIN) {
+        Shape::Refracted { scale, e }
+    } else {
+        bump(inside)
+    }
+}
+
+/// The chart about the median of the samples `inside` one hemisphere, as wide as they lie.
+fn bump(inside: &[DVec3]) -> Shape {
+    let mut images: Vec<[f64; 2]> = inside
+        .iter()
+        .map(|w| stereographic(DVec3::new(w.x, w.y, w.z.abs())))
+        .collect();
+    let centre = [true, false].map(|is_x| median(&mut images, is_x));
+    let [cx, cy] = centre;
+    let mut distances: Vec<[f64; 2]> = images
+        .iter()
+        .map(|[x, y]| [(x - cx).abs(), (y - cy).abs()])
+        .collect();
+    let scale = [true, false].map(|is_x| median(&mut distances, is_x).max(f64::EPSILON));
+    Shape::Bump { centre, scale }
 }
 
 /// The slopes of the half vector of `wo` and `wi`, both above the surface.
@@ -139,6 +290,23 @@ fn slopes(wo: DVec3, wi: DVec3, is_back: bool) -> [f64; 2] {
         wo + wi
     };
     [sum.x / sum.z, sum.y / sum.z]
+}
+
+/// The share of the samples that a narrow lobe beside a wide one may have without being missed.
+const NARROW_SHARE: usize = 32;
+
+/// The size below which one in [`NARROW_SHARE`] of the x or y of `points` lies. 0 without points.
+///
+/// For one lobe that is a fixed small part of its width; for a narrow lobe within a wide one it is of the size of the
+/// narrow one, where the median would be of neither: linear across the narrow lobe, the chart is logarithmic from there on.
+fn narrow_scale(points: &mut [[f64; 2]], is_x: bool) -> f64 {
+    let index = points.len() / NARROW_SHARE;
+    let key = |[x, y]: &[f64; 2]| if is_x { *x } else { *y };
+    if points.is_empty() {
+        return 0.0;
+    }
+    let (_, at, _) = points.select_nth_unstable_by(index, |a, b| key(a).total_cmp(&key(b)));
+    key(at)
 }
 
 /// The median of the x or y of `points`, which are left in two halves about it. 0 without points.

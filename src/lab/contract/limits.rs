@@ -9,7 +9,7 @@ use super::sweep::directions;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::reflectance::directional_hemispherical;
 use crate::bxdf::math::{Vec3, frame};
-use crate::bxdf::{Material, ModelSpec};
+use crate::bxdf::{Material, ModelSpec, Side};
 
 /// How the two models of a [`Limit`] are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,8 +58,9 @@ const TAIL: &str = "the tail outside a cone of c is (2 alpha / (c cos))^2 of the
                     Fresnel factor over the lobe";
 
 /// Every limit of the catalogue.
-pub static LIMITS: [Limit; 14] = [
+pub static LIMITS: [Limit; 31] = [
     same("oren_nayar:sigma=0", "lambertian_reflection"),
+    same("eon:roughness=0", "lambertian_reflection"),
     same(
         "rough_conductor:fresnel=schlick,f0=1,alpha_x=.1,alpha_y=.4",
         "rough_conductor:fresnel=one,alpha_x=.1,alpha_y=.4",
@@ -95,8 +96,57 @@ pub static LIMITS: [Limit; 14] = [
         "specular_reflection",
     ),
     narrow(
+        "rough_conductor:fresnel=one,distribution=beckmann,alpha=.0001",
+        "specular_reflection",
+    ),
+    Limit {
+        relation: Relation::QuarterTurn,
+        ..same(
+            "rough_conductor:distribution=beckmann,compensation=kulla_conty,alpha_x=.05,alpha_y=.4",
+            "rough_conductor:distribution=beckmann,compensation=kulla_conty,alpha_x=.4,alpha_y=.05",
+        )
+    },
+    Limit {
+        relation: Relation::QuarterTurn,
+        ..same(
+            "rough_dielectric:alpha_x=.05,alpha_y=.4",
+            "rough_dielectric:alpha_x=.4,alpha_y=.05",
+        )
+    },
+    // Indices for which no direction of the check is the critical one, where a narrow lobe and a delta part ways.
+    narrow(
+        "rough_dielectric:eta=1.7,alpha=.0001",
+        "fresnel_specular:eta=1.7",
+    ),
+    narrow(
+        "rough_dielectric:distribution=beckmann,eta=.6,alpha=.0001",
+        "fresnel_specular:eta=.6",
+    ),
+    same("rough_dielectric:eta=1", "specular_transmission:eta=1"),
+    narrow(
         "rough_conductor:alpha=.0001",
         "specular_reflection:fresnel=conductor,eta=.143/.375/1.442,k=3.983/2.386/1.603",
+    ),
+    Limit {
+        relation: Relation::QuarterTurn,
+        ..same("ward:alpha_x=.05,alpha_y=.4", "ward:alpha_x=.4,alpha_y=.05")
+    },
+    Limit {
+        relation: Relation::QuarterTurn,
+        ..same(
+            "ashikhmin_shirley:exponent_x=10,exponent_y=1000",
+            "ashikhmin_shirley:exponent_x=1000,exponent_y=10",
+        )
+    },
+    same("phong:specular=0,diffuse=.8", "lambertian_reflection"),
+    same("blinn_phong:specular=0,diffuse=.8", "lambertian_reflection"),
+    same("ward:specular=0,diffuse=.8", "lambertian_reflection"),
+    narrow("ward:alpha=.0001", "specular_reflection"),
+    narrow("ward:variant=duer,alpha=.0001", "specular_reflection"),
+    narrow("cook_torrance:f0=1,m=.0001", "specular_reflection"),
+    narrow(
+        "cook_torrance:f0=.04,m=.0001",
+        "specular_reflection:fresnel=dielectric,eta=1.5",
     ),
     Limit {
         relation: Relation::Mirrored,
@@ -120,6 +170,7 @@ pub static LIMITS: [Limit; 14] = [
         )
     },
     same("fresnel_specular:eta=1", "specular_transmission:eta=1"),
+    same("thin_dielectric:eta=1", "specular_transmission:eta=1"),
     Limit {
         tolerance: 1e-12,
         reason: "1 - F is below 4 n / (k^2 cos), 1e-17 here",
@@ -282,11 +333,13 @@ fn narrow_lobe(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
         .into_iter()
         .filter(|w| w.z.abs() > SMALLEST_COSINE)
     {
-        let rho = directional_hemispherical(&*a.double, w, 1e-6).reflection;
+        let rho = directional_hemispherical(&*a.double, w, 1e-6);
         for delta in b.double.deltas(w.into()).into_iter().flatten() {
             let mut flux = [0.0; 3];
-            for _ in 0..SAMPLES {
-                let sample = a.double.sample_f(w.into(), random.unit(), random.pair());
+            for i in 0..SAMPLES {
+                // Stratified, so that the lobes are chosen as often as they should be.
+                let uc = (f64::from(i) + random.unit()) / f64::from(SAMPLES);
+                let sample = a.double.sample_f(w.into(), uc, random.pair());
                 let near = sample.filter(|sample| {
                     frame::angle_between(sample.wi.into(), delta.direction.into()) < CONE
                 });
@@ -295,12 +348,12 @@ fn narrow_lobe(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
                     .zip(weight)
                     .for_each(|(sum, x)| *sum += x / f64::from(SAMPLES));
             }
-            let expected = delta.flux.0;
-            for (x, y) in flux
-                .into_iter()
-                .zip(expected)
-                .chain(rho.into_iter().zip(expected))
-            {
+            let share = match delta.side {
+                Side::Reflection => rho.reflection,
+                Side::Transmission => rho.transmission,
+            };
+            let in_cone = flux.into_iter().zip(delta.weight.0);
+            for (x, y) in in_cone.chain(share.into_iter().zip(delta.flux.0)) {
                 tallies.record(
                     LawId::Limits,
                     relative_difference(x, y),

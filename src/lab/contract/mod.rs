@@ -23,6 +23,7 @@ mod subject;
 mod sweep;
 mod tally;
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 pub use limits::{CONE, LIMITS, Limit, Relation, compare};
@@ -230,6 +231,15 @@ const WITNESS_MARGIN: f64 = 2.0;
 #[must_use]
 pub fn check(model: &ModelSpec, effort: Effort) -> Vec<LawReport> {
     check_at(model, &parameter_sets(model), effort)
+}
+
+/// [`check`] for each of `models`, in their order, on all processors.
+#[must_use]
+pub fn check_all(models: &[&ModelSpec], effort: Effort) -> Vec<Vec<LawReport>> {
+    models
+        .par_iter()
+        .map(|model| check(model, effort))
+        .collect()
 }
 
 /// Runs every law for `material`, at its parameters only.

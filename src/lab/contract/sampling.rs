@@ -44,16 +44,17 @@ pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
                 let other = other.into();
                 let [r, g, b] = subject.double.f(w, other).0;
                 let [r_back, g_back, b_back] = subject.double.f(other, w).0;
-                let cos = other.z.abs();
+                let back_cos = other.z.abs();
+                let cos = back_cos * subject.flux_factor(wo, other.into());
                 let pdf = subject.double.pdf(w, other);
                 [
                     pdf,
                     r * cos,
                     g * cos,
                     b * cos,
-                    r_back * cos,
-                    g_back * cos,
-                    b_back * cos,
+                    r_back * back_cos,
+                    g_back * back_cos,
+                    b_back * back_cos,
                 ]
             },
             CELL_TOLERANCE,
@@ -200,7 +201,8 @@ fn pdf_of(integral: &CellIntegral) -> f64 {
     pdf
 }
 
-/// Compares the rate of samples and their mean weight with the integrals.
+/// Compares the rate of samples and their mean weight with the integrals; weights as flux: the radiance seen from a dense
+/// medium would make one sample in millions count for a million.
 fn means(
     subject: &Subject,
     wo: DVec3,
@@ -213,7 +215,7 @@ fn means(
     let [pdf, r, g, b, ..] = total.value;
     let mut expected = [pdf, r, g, b];
     for delta in subject.double.deltas(wo.into()).into_iter().flatten() {
-        let [r, g, b] = delta.weight.0;
+        let [r, g, b] = delta.flux.0;
         expected
             .iter_mut()
             .zip([0.0, r, g, b])
@@ -270,7 +272,8 @@ impl Stratified {
                     let u = [f64::from(i) + u, f64::from(j) + v].map(|x| x / f64::from(strata));
                     let sample = subject.double.sample_f(wo.into(), uc, u);
                     sample.map_or([0.0; 4], |sample| {
-                        let [r, g, b] = sample.weight().0;
+                        let flux = subject.flux_factor(wo, sample.wi.into());
+                        let [r, g, b] = sample.weight().0.map(|weight| weight * flux);
                         [f64::from(u8::from(!sample.is_delta)), r, g, b]
                     })
                 };

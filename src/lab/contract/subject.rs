@@ -64,6 +64,12 @@ impl Subject {
         if w.z < 0.0 { self.relative_index } else { 1.0 }
     }
 
+    /// Flux over radiance of what goes from `wi` to `wo`: e^2, e being the index on wi's side over that on wo's.
+    pub(super) fn flux_factor(&self, wo: DVec3, wi: DVec3) -> f64 {
+        let e = self.index_at(wi) / self.index_at(wo);
+        e * e
+    }
+
     /// Whether one of the lobes goes to `side`.
     pub(super) fn has_side(&self, side: Side) -> bool {
         self.lobes.iter().any(|lobe| lobe.side == side)
@@ -72,6 +78,13 @@ impl Subject {
     /// Whether one of the lobes is of `category`.
     pub(super) fn has_category(&self, category: Category) -> bool {
         self.lobes.iter().any(|lobe| lobe.category == category)
+    }
+
+    /// Whether a glossy lobe crosses the surface.
+    pub(super) fn has_transmitted_lobe(&self) -> bool {
+        self.lobes.iter().any(|lobe| {
+            lobe.side == Side::Transmission && lobe.category == Category::GlossySpecular
+        })
     }
 
     /// A seed that depends on model and parameters only: the FNV-1a hash of the name.

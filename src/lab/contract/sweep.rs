@@ -6,8 +6,9 @@ use crate::bxdf::ModelSpec;
 use crate::bxdf::math::frame::direction_from_degrees;
 use crate::bxdf::param::{Kind, ParamSet, ParamSpec, Value};
 
-/// Widths along s and t: both ends of the range, the end of the slider, two blades.
-const ALPHA_PAIRS: [[f64; 2]; 5] = [
+/// Widths along s and t: 0, for models that take it for smooth, both ends of the range, the end of the slider, two blades.
+const ALPHA_PAIRS: [[f64; 2]; 6] = [
+    [0.0, 0.0],
     [1e-4, 1e-4],
     [0.01, 0.01],
     [1.0, 1.0],

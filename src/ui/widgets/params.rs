@@ -152,6 +152,9 @@ fn choice(ui: &mut Ui, spec: &ParamSpec, word: &mut &'static str) {
 
 /// A word of the command line as the screen shows it.
 fn sentence(word: &str) -> String {
+    if word == "ggx" {
+        return word.to_uppercase();
+    }
     let spaced = word.replace('_', " ");
     let mut letters = spaced.chars();
     letters.next().map_or_else(String::new, |first| {
@@ -176,6 +179,7 @@ mod tests {
     #[test]
     fn words_read_as_sentences() {
         assert_eq!(sentence("kulla_conty"), "Kulla conty");
+        assert_eq!(sentence("ggx"), "GGX");
         assert_eq!(sentence(""), "");
     }
 }

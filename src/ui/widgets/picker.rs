@@ -1,9 +1,12 @@
 //! The model picker: every model under its category.
 
-use egui::{RichText, TextEdit, Ui};
+use egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use crate::bxdf::models::MODELS;
 use crate::bxdf::{Category, Material, ModelSpec, Side};
+
+/// The share of the panel's height that the list may take; the rest is for the parameters.
+const LIST_SHARE: f32 = 0.45;
 
 /// What the picker keeps between frames.
 #[derive(Default)]
@@ -26,10 +29,19 @@ impl Picker {
         ui.ctx()
             .accesskit_node_builder(field.id, |node| node.set_label("Search models"));
         let wanted = self.search.trim().to_lowercase();
+        let height = LIST_SHARE * ui.available_height();
+        let area = ScrollArea::vertical()
+            .id_salt("models")
+            .max_height(height)
+            .auto_shrink([false, true]);
+        area.show(ui, |ui| self.list(ui, &wanted, material));
+    }
+
+    fn list(&mut self, ui: &mut Ui, wanted: &str, material: &mut Material) {
         let mut is_empty = true;
         for category in Category::ALL {
             let is_listed =
-                |model: &&ModelSpec| model.category() == category && is_found(model, &wanted);
+                |model: &&ModelSpec| model.category() == category && is_found(model, wanted);
             let models: Vec<&'static ModelSpec> = MODELS.into_iter().filter(is_listed).collect();
             if models.is_empty() {
                 continue;
@@ -85,7 +97,8 @@ fn is_found(model: &ModelSpec, wanted: &str) -> bool {
 }
 
 /// The title, and the sides where they are not plain from it.
-fn title(model: &ModelSpec) -> String {
+#[must_use]
+pub fn title(model: &ModelSpec) -> String {
     let sides: Vec<&str> = [(Side::Reflection, "R"), (Side::Transmission, "T")]
         .into_iter()
         .filter(|(side, _)| model.lobes.iter().any(|lobe| lobe.side == *side))

@@ -1,0 +1,108 @@
+//! The normal distributions that models offer as a choice.
+
+use super::beckmann::Beckmann;
+use super::ggx::Ggx;
+use super::{Masked, Masking};
+use crate::bxdf::math::{Real, Vec3};
+use crate::bxdf::param::{ParamSet, ParamSpec};
+
+/// A distribution of microfacet normals with its masking, chosen by the parameter `distribution`.
+#[derive(Clone, Copy, Debug)]
+pub enum Distribution<R> {
+    /// GGX (Trowbridge-Reitz): a long tail.
+    Ggx(Ggx<R>),
+    /// Beckmann: slopes of a Gaussian.
+    Beckmann(Beckmann<R>),
+}
+
+/// The parameter that chooses a [`Distribution`].
+pub const DISTRIBUTION: ParamSpec = ParamSpec::choice(
+    "distribution",
+    &["ggx", "beckmann"],
+    "How the microfacet normals are spread: GGX has a sharp peak and a long tail, Beckmann is a Gaussian of slopes that \
+     ends soon",
+);
+
+impl<R: Real> Distribution<R> {
+    /// The distribution in `params`, with its widths `alpha_x` and `alpha_y`, both above 0.
+    #[must_use]
+    pub fn from_params(params: &ParamSet) -> Self {
+        Self::new(
+            params.choice("distribution") == "beckmann",
+            R::of(params.number("alpha_x")),
+            R::of(params.number("alpha_y")),
+        )
+    }
+
+    /// Beckmann or GGX with these widths.
+    pub fn new(is_beckmann: bool, alpha_x: R, alpha_y: R) -> Self {
+        if is_beckmann {
+            Self::Beckmann(Beckmann::new(alpha_x, alpha_y))
+        } else {
+            Self::Ggx(Ggx::new(alpha_x, alpha_y))
+        }
+    }
+
+    /// The density of microfacet normals at the unit normal `wh`, in 1/sr.
+    #[inline(always)]
+    pub fn d(&self, wh: Vec3<R>) -> R {
+        match self {
+            Self::Ggx(ggx) => ggx.d(wh),
+            Self::Beckmann(beckmann) => beckmann.d(wh),
+        }
+    }
+
+    #[inline(always)]
+    fn masked(&self, w: Vec3<R>) -> Masked<R> {
+        match self {
+            Self::Ggx(ggx) => ggx.masked(w),
+            Self::Beckmann(beckmann) => Masked {
+                mu: w.z.abs(),
+                t: beckmann.masking_length(w),
+            },
+        }
+    }
+
+    /// 2 |cos| Lambda(w), without cancellation.
+    pub(super) fn masking_excess(&self, w: Vec3<R>) -> R {
+        match self {
+            Self::Ggx(ggx) => ggx.masking_excess(w),
+            Self::Beckmann(beckmann) => beckmann.masking_excess(w),
+        }
+    }
+
+    /// D(wh) G2 / (4 mu_o mu_i), whether the directions lie on one side or on two: the reflected lobe less its Fresnel
+    /// factor. Saturates.
+    #[inline(always)]
+    pub fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
+        self.masked(wo)
+            .visibility(self.masked(wi), masking, self.d(wh))
+    }
+
+    /// Masking and shadowing together, 0..1.
+    pub fn g2(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking) -> R {
+        self.masked(wo).g2(self.masked(wi), masking)
+    }
+
+    /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`. Saturates.
+    #[inline(always)]
+    pub fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
+        self.masked(wo).reflection_pdf(self.d(wh))
+    }
+
+    /// A visible normal of `wo` (on the upper side).
+    #[inline(always)]
+    pub fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        match self {
+            Self::Ggx(ggx) => ggx.sample_visible_normal(wo, u),
+            Self::Beckmann(beckmann) => beckmann.sample_visible_normal(wo, u),
+        }
+    }
+
+    /// `wo` (on the upper side) reflected at a visible normal; it may leave below the horizon.
+    #[inline(always)]
+    pub fn sample_reflection(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        let wh = self.sample_visible_normal(wo, u)?;
+        Some(wh * (R::of(2.0) * wo.dot(wh)) - wo)
+    }
+}

@@ -1,0 +1,316 @@
+//! Frosted glass: microfacets that each mirror a part of the light and refract the rest.
+//!
+//! # Source
+//! Walter et al. 2007 (`walter2007`), eqs. 19 to 21 and 33 to 38, with the masking of Heitz 2014 (`heitz2014`). Viewed
+//! along wo, with e the index on wi's side over that on wo's, g = wo + wi in reflection and wo + e wi in transmission is
+//! along the microfacet's normal h, and f = F D G2 / (4 mu_o mu_i) or, for radiance,
+//! (1 - F) D G2 |wo.h wi.h| / (mu_o mu_i |g|^2).
+//!
+//! # Departures
+//! Correlated masking is 1 / (1 + Lambda_o + Lambda_i) across the surface too, as is common; heights that mask one side
+//! bare the other, and the exact factor is the smaller Beta(1 + Lambda_o, 1 + Lambda_i) of Heitz et al. 2016
+//! (`heitz2016`).
+//! 1 - F is a formula of its own, not a difference, and sin^2 comes from the vectors, not from a cosine near 1.
+//!
+//! # Validity
+//! As `rough_conductor`, one meeting with a facet only. eta = 1 exactly is no surface: f and pdf are 0, light goes
+//! straight on as a delta. Close to 1 the transmitted lobe narrows to (eta - 1) alpha, below what f32 resolves of a
+//! direction where that is under 1e-7.
+
+use super::*;
+use crate::bxdf::microfacet::distribution::DISTRIBUTION;
+use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, half_vector};
+use crate::bxdf::optics::{Spectrum, fresnel};
+use crate::bxdf::param::ParamSet;
+use crate::bxdf::{Delta, Deltas, Microfacet, are_across, both_above, sample_deltas};
+
+/// The list entry.
+pub(super) static SPEC: ModelSpec = ModelSpec {
+    id: "rough_dielectric",
+    title: "Rough dielectric",
+    source: "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; Heitz 2014",
+    summary: "Frosted glass: one lobe about the mirror direction, one about the refracted one, that share the light as \
+              Fresnel's equations say",
+    lobes: &[
+        Lobe::reflection(Category::GlossySpecular),
+        Lobe::transmission(Category::GlossySpecular),
+    ],
+    parameters: &[
+        DIELECTRIC_ETA,
+        ALPHA_X,
+        ALPHA_Y,
+        DISTRIBUTION,
+        Masking::PARAM,
+    ],
+    properties: Properties {
+        is_isotropic: |params| {
+            params.number("alpha_x") == params.number("alpha_y") || params.number("eta") == 1.0
+        },
+        relative_index: |params| params.number("eta"),
+        ..Properties::PLAIN
+    },
+    validate: ModelSpec::any,
+    builders: Builders {
+        f32: build,
+        f64: build,
+        reference: build,
+    },
+};
+
+struct RoughDielectric<R> {
+    eta: R,
+    distribution: Distribution<R>,
+    masking: Masking,
+}
+
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+    Box::new(RoughDielectric {
+        eta: R::of(params.number("eta")),
+        distribution: Distribution::from_params(params),
+        masking: Masking::from_params(params),
+    })
+}
+
+/// A facet that turns `wo` into `wi`, in the frame in which `wo` is above.
+struct Facet<R> {
+    wo: Vec3<R>,
+    wi: Vec3<R>,
+    wh: Vec3<R>,
+    /// Reflectance or transmittance, whichever turns `wo` into `wi`.
+    share: R,
+    /// 4 |wo.h| times the solid angle of h per solid angle of `wi`: 1 in reflection.
+    stretch: R,
+    /// 4 |wo.h wi.h| / |g|^2, the same for f: 1 in reflection.
+    factor: R,
+}
+
+impl<R: Real> RoughDielectric<R> {
+    /// The index on the other side over that on the side of `w`, and that less 1.
+    #[inline(always)]
+    fn index_across(&self, w: Vec3<R>) -> (R, R) {
+        let one = R::one();
+        if w.z > R::zero() {
+            (self.eta, self.eta - one)
+        } else {
+            (one / self.eta, (one - self.eta) / self.eta)
+        }
+    }
+
+    fn is_nothing(&self) -> bool {
+        self.eta == R::one()
+    }
+
+    /// The facet that mirrors `wo` into `wi`.
+    #[inline(always)]
+    fn mirror(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
+        let (e, _) = self.index_across(wo);
+        let (wo, wi) = both_above(wo, wi)?;
+        let (wh, cos) = half_vector(wo, wi)?;
+        // Half the angle between the two: |wo - wi| / 2 is its sine.
+        let sin2 = (wo - wi).length_squared() * R::of(0.25);
+        Some(Facet {
+            wo,
+            wi,
+            wh,
+            share: fresnel::dielectric_with_sine(cos, sin2, e).reflectance,
+            stretch: R::one(),
+            factor: R::one(),
+        })
+    }
+
+    /// The facet that refracts `wo` into `wi`.
+    #[inline(always)]
+    fn refractor(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
+        if !are_across(wo, wi) || self.is_nothing() {
+            return None;
+        }
+        let (e, e_minus_1) = self.index_across(wo);
+        let (wo, wi) = upright(wo, wi);
+        // wo + e wi; where the index is near 1, the sum of the nearly opposed first.
+        let g = if e_minus_1.abs() < R::of(0.5) {
+            (wo + wi) + wi * e_minus_1
+        } else {
+            wo + wi * e
+        };
+        let (unit, length) = g.unit_and_length()?;
+        let wh = if unit.z < R::zero() { -unit } else { unit };
+        let (cos_o, cos_i) = (wo.dot(wh), -wi.dot(wh));
+        if cos_o <= R::zero() || cos_i <= R::zero() {
+            return None;
+        }
+        let jacobian = R::of(4.0) * cos_o * cos_i / (length * length);
+        Some(Facet {
+            wo,
+            wi,
+            wh,
+            share: fresnel::transmittance_between(cos_o, cos_i, e),
+            stretch: jacobian * (e * e),
+            factor: jacobian,
+        })
+    }
+
+    #[inline(always)]
+    fn value(&self, facet: &Facet<R>) -> Spectrum<R> {
+        let lobe = self
+            .distribution
+            .lobe(facet.wo, facet.wi, facet.wh, self.masking);
+        Spectrum::grey((facet.share * facet.factor * lobe).saturated())
+    }
+
+    fn value_of(&self, facet: Option<Facet<R>>) -> Spectrum<R> {
+        facet.map_or(Spectrum::black(), |facet| self.value(&facet))
+    }
+
+    /// The direction drawn for a `wo` above, seen from which the index across is `e`.
+    fn draw(&self, wo: Vec3<R>, e: R, uc: R, u: [R; 2]) -> Option<Vec3<R>> {
+        let wh = self.distribution.sample_visible_normal(wo, u)?;
+        let cos = wo.dot(wh);
+        if cos <= R::zero() {
+            return None;
+        }
+        let tangent = wo - wh * cos;
+        let share = fresnel::dielectric_with_sine(cos, tangent.length_squared(), e);
+        if uc < share.reflectance {
+            let wi = wh * (R::of(2.0) * cos) - wo;
+            (wi.z > R::zero()).then_some(wi)
+        } else {
+            // Through an index below 1 the tangent is stretched, and the rounding of wo with it.
+            let (wi, _) = (-(tangent * (R::one() / e)) - wh * share.cos_t).unit_and_length()?;
+            (wi.z < R::zero()).then_some(wi)
+        }
+    }
+}
+
+/// `wo` and `wi`, mirrored in the surface where `wo` is below.
+#[inline(always)]
+fn upright<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
+    if wo.z < R::zero() {
+        (wo.mirrored_in_surface(), wi.mirrored_in_surface())
+    } else {
+        (wo, wi)
+    }
+}
+
+impl<R: Real> Bxdf<R> for RoughDielectric<R> {
+    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        let facet = self.mirror(wo, wi).or_else(|| self.refractor(wo, wi));
+        self.value_of(facet)
+    }
+
+    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        let facet = self.mirror(wo, wi).or_else(|| self.refractor(wo, wi));
+        facet.map_or(R::zero(), |facet| {
+            let pdf = self.distribution.reflection_pdf(facet.wo, facet.wh);
+            (facet.share * facet.stretch * pdf).saturated()
+        })
+    }
+
+    fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
+        if self.is_nothing() {
+            return sample_deltas(self.deltas(wo), uc);
+        }
+        let (e, _) = self.index_across(wo);
+        let (above, _) = upright(wo, wo);
+        if above.z <= R::zero() || above.z.is_nan() {
+            return None;
+        }
+        let (_, wi) = upright(wo, self.draw(above, e, uc, u)?);
+        let pdf = self.pdf(wo, wi);
+        // At the edge of total reflection the way back from wi to its facet may fail by a rounding.
+        (pdf > R::zero()).then(|| Sample {
+            wi,
+            f: self.f(wo, wi),
+            pdf,
+            is_delta: false,
+        })
+    }
+
+    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        match index {
+            0 => self.value_of(self.mirror(wo, wi)),
+            1 => self.value_of(self.refractor(wo, wi)),
+            _ => Spectrum::black(),
+        }
+    }
+
+    fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
+        let facet = self.mirror(wo, wi).or_else(|| self.refractor(wo, wi))?;
+        Some(Microfacet {
+            d: self.distribution.d(facet.wh),
+            g: self.distribution.g2(facet.wo, facet.wi, self.masking),
+            fresnel: Spectrum::grey(facet.share),
+        })
+    }
+
+    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
+        let straight = Delta {
+            direction: -w,
+            flux: Spectrum::grey(R::one()),
+            weight: Spectrum::grey(R::one()),
+            probability: R::one(),
+            side: Side::Transmission,
+        };
+        [
+            (self.is_nothing() && w.z != R::zero()).then_some(straight),
+            None,
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::bxdf::math::Vec3;
+    use crate::bxdf::{Bxdf, Material};
+
+    fn glass(parameters: &str) -> Box<dyn Bxdf<f64>> {
+        format!("rough_dielectric:{parameters}")
+            .parse::<Material>()
+            .unwrap()
+            .build()
+    }
+
+    const UP: Vec3<f64> = Vec3 {
+        x: 0.0,
+        y: 0.0,
+        z: 1.0,
+    };
+
+    #[test]
+    fn the_peaks_at_normal_incidence() {
+        // D = 1/(pi alpha^2), G2 = 1, F = .04: f = F D / 4 and, through the surface, (1 - F) D / (e - 1)^2.
+        let model = glass("alpha=0.1");
+        let d = 1.0 / (std::f64::consts::PI * 0.01);
+        let reflected = model.f(UP, UP).0[0];
+        let transmitted = model.f(UP, -UP).0[0];
+        let back = model.f(-UP, UP).0[0];
+        assert!((reflected / (0.04 * d / 4.0) - 1.0).abs() < 1e-13);
+        assert!((transmitted / (0.96 * d / 0.25) - 1.0).abs() < 1e-13);
+        assert!((back / transmitted / 2.25 - 1.0).abs() < 1e-13, "radiance");
+    }
+
+    #[test]
+    fn no_surface_is_no_surface() {
+        let model = glass("eta=1");
+        let w = Vec3::new(0.6, 0.0, 0.8);
+        assert_eq!((model.f(w, UP).0, model.f(w, -w).0), ([0.0; 3], [0.0; 3]));
+        let straight = model.sample_f(w, 0.7, [0.2, 0.9]).unwrap();
+        assert!(straight.is_delta && straight.wi == -w && straight.weight().0 == [1.0; 3]);
+    }
+
+    #[test]
+    fn samples_across_a_tiny_step_of_the_index_stay_unit_and_valid() {
+        for eta in ["0.25", "0.999999", "1.000001", "1000"] {
+            let model = glass(&format!("alpha=0.01,eta={eta}"));
+            for wo in [Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.6, -0.8)] {
+                for i in 0..100 {
+                    let u = f64::from(i) / 100.0;
+                    let Some(sample) = model.sample_f(wo, 1.0 - u, [u, 0.7]) else {
+                        continue;
+                    };
+                    assert!((sample.wi.length_squared() - 1.0).abs() < 4e-15);
+                    assert!(sample.pdf > 0.0 && sample.weight().0[0] <= 2.0 * 1e6);
+                }
+            }
+        }
+    }
+}
