@@ -47,6 +47,10 @@ const SEEDS_TO_SPLIT: usize = 4;
 /// See [`SEEDS_TO_SPLIT`].
 const CROWDED: f64 = 0.4;
 
+/// A rectangle is halved, too, while the middle half of its seeds crowds into less than this part of its width: the
+/// seeds of a wide lobe must not hide a narrow one. Half of an even spread is .5 wide.
+const HALF_CROWDED: f64 = 0.1;
+
 /// Rectangles narrower than this are not halved for their seeds, in radians: below it, rounding of the angles shows.
 const NARROWEST: f64 = 1e-12;
 
@@ -110,17 +114,13 @@ impl Rectangle {
         }
         let relative_spread = |range: [f64; 2], coordinate: fn(&[f64; 2]) -> f64| {
             let width = range[1] - range[0];
-            let (low, high) = seeds
-                .iter()
-                .map(coordinate)
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-                    (low.min(x), high.max(x))
-                });
-            if width > NARROWEST {
-                (high - low) / width
-            } else {
-                1.0
+            if width <= NARROWEST {
+                return 1.0;
             }
+            let mut coordinates: Vec<f64> = seeds.iter().map(coordinate).collect();
+            let [all, half] = spreads(&mut coordinates).map(|spread| spread / width);
+            // Either may fall below its threshold; both on the scale of the first.
+            all.min(half * (CROWDED / HALF_CROWDED))
         };
         let theta = relative_spread(self.theta, |s| s[0]);
         let phi = relative_spread(self.phi, |s| s[1]);
@@ -136,6 +136,17 @@ impl Rectangle {
         let within = |range: [f64; 2], x: f64| range[0] <= x && x <= range[1];
         within(self.theta, theta) && within(self.phi, phi)
     }
+}
+
+/// From where to where all of `coordinates` lie, and the middle half of them.
+fn spreads(coordinates: &mut [f64]) -> [f64; 2] {
+    let n = coordinates.len();
+    let mut rank = |index: usize| {
+        let index = index.min(n.saturating_sub(1));
+        *coordinates.select_nth_unstable_by(index, f64::total_cmp).1
+    };
+    let [lowest, lower, upper, highest] = [0, n / 4, n - n / 4 - 1, n - 1].map(&mut rank);
+    [highest - lowest, upper - lower]
 }
 
 /// A rectangle with the integral over it.

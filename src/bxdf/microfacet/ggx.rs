@@ -52,8 +52,13 @@ impl<R: Real> Ggx<R> {
     /// D(wh) G2 / (4 mu_o mu_i) of two directions on the same side: the lobe less its Fresnel factor. Saturates.
     #[inline(always)]
     pub fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
-        let (o, i) = (self.masked(wo), self.masked(wi));
-        o.visibility(i, masking, self.d(wh))
+        self.visibility(wo, wi, masking, self.d(wh))
+    }
+
+    /// `d` G2 / (4 mu_o mu_i): [`Self::lobe`] with the masking of this distribution and the density of another.
+    #[inline(always)]
+    pub fn visibility(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking, d: R) -> R {
+        self.masked(wo).visibility(self.masked(wi), masking, d)
     }
 
     /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`.

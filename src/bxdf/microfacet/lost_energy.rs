@@ -107,17 +107,14 @@ impl Lobe {
     /// The integral of r P (1 + kappa r) from the edge of the disc to where the facets turn away.
     fn outside(&self, kappa: f64, r_start: f64) -> f64 {
         let slope = kappa * self.alpha;
-        let start = self.tail(r_start / self.alpha);
-        let end = if slope < 0.0 {
+        let [flat, tilted] = self.tail(r_start / self.alpha);
+        let [flat_beyond, tilted_beyond] = if slope < 0.0 {
             self.tail(-1.0 / slope)
         } else {
             [0.0; 2]
         };
-        let [flat, tilted] = [0, 1].map(|i| {
-            let of = |tail: [f64; 2]| if i == 0 { tail[0] } else { tail[1] };
-            of(start) - of(end)
-        });
-        (flat + slope * tilted) * 0.5 * std::f64::consts::FRAC_1_PI
+        let sum = (flat - flat_beyond) + slope * (tilted - tilted_beyond);
+        sum * 0.5 * std::f64::consts::FRAC_1_PI
     }
 
     /// 2 pi times the integrals of x P and of x^2 P from `x` to infinity.

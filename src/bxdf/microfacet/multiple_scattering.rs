@@ -156,7 +156,8 @@ impl EnergyTable {
 fn interpolated<R: Real>(values: &[f64], x: R) -> R {
     let place = x * R::of(f64::from(CELLS));
     let cell = (place.as_f64() as usize).min(CELLS as usize - 1);
-    let t = place - R::of(cell as f64);
+    // Within the cell, whichever way its number was rounded.
+    let t = (place - R::of(cell as f64)).max(R::zero()).min(R::one());
     let at = |i: usize| R::of(values.get(i).copied().unwrap_or(0.0));
     at(cell) * (R::one() - t) + at(cell + 1) * t
 }

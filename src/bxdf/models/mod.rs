@@ -12,6 +12,8 @@ mod lambertian_reflection;
 mod lambertian_transmission;
 mod oren_nayar;
 mod phong;
+mod plastic;
+mod principled;
 mod retro_reflector;
 mod rough_conductor;
 mod rough_dielectric;
@@ -28,7 +30,7 @@ use super::{Bxdf, Sample};
 use crate::error::{Error, Result};
 
 /// Every model, in the order of the catalogue: grouped by category.
-pub static MODELS: [&ModelSpec; 20] = [
+pub static MODELS: [&ModelSpec; 22] = [
     &lambertian_reflection::SPEC,
     &lambertian_transmission::SPEC,
     &oren_nayar::SPEC,
@@ -36,11 +38,13 @@ pub static MODELS: [&ModelSpec; 20] = [
     &burley_diffuse::SPEC,
     &rough_conductor::SPEC,
     &rough_dielectric::SPEC,
+    &plastic::SPEC,
     &phong::SPEC,
     &blinn_phong::SPEC,
     &ward::SPEC,
     &ashikhmin_shirley::SPEC,
     &cook_torrance::SPEC,
+    &principled::SPEC,
     &specular_reflection::SPEC,
     &specular_transmission::SPEC,
     &fresnel_specular::SPEC,

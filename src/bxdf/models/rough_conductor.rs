@@ -287,10 +287,12 @@ impl<R: Real> Bxdf<R> for RoughConductor<R> {
     }
 
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        sample_reflection(self, wo, |wo| match self.compensation.choice(wo.z) {
+        let sample = sample_reflection(self, wo, |wo| match self.compensation.choice(wo.z) {
             Some((table, share)) if uc < share => Some(table.sample(u)),
             _ => self.distribution.sample_reflection(wo, u),
-        })
+        });
+        // The table's density begins at 0 where the loss does: the very end of a cell has none.
+        sample.filter(|sample| sample.pdf > R::zero())
     }
 
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {

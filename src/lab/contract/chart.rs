@@ -247,7 +247,7 @@ fn refracted(wo: DVec3, [x, y]: [f64; 2], e: f64) -> (DVec3, f64) {
     // dwi = |g|^2 / (e^2 |wi.h|) dwh, |g| = |wo.h - e |wi.h||, and dwh = hz^3 per area of slopes.
     let g = cos_o - e * cos_i;
     let density = g * g / (e * e * cos_i) * hz * hz * hz;
-    (DVec3::new(wi.x, wi.y, -wi.z).normalize_or_zero(), density)
+    (DVec3::new(wi.x, wi.y, -wi.z) / wi.length(), density)
 }
 
 /// The chart of a refracted lobe with these samples.

@@ -58,7 +58,7 @@ const TAIL: &str = "the tail outside a cone of c is (2 alpha / (c cos))^2 of the
                     Fresnel factor over the lobe";
 
 /// Every limit of the catalogue.
-pub static LIMITS: [Limit; 31] = [
+pub static LIMITS: [Limit; 34] = [
     same("oren_nayar:sigma=0", "lambertian_reflection"),
     same("eon:roughness=0", "lambertian_reflection"),
     same(
@@ -113,16 +113,24 @@ pub static LIMITS: [Limit; 31] = [
             "rough_dielectric:alpha_x=.4,alpha_y=.05",
         )
     },
-    // Indices for which no direction of the check is the critical one, where a narrow lobe and a delta part ways.
     narrow(
-        "rough_dielectric:eta=1.7,alpha=.0001",
-        "fresnel_specular:eta=1.7",
+        "rough_dielectric:eta=1.8,alpha=.0001",
+        "fresnel_specular:eta=1.8",
     ),
     narrow(
-        "rough_dielectric:distribution=beckmann,eta=.6,alpha=.0001",
-        "fresnel_specular:eta=.6",
+        "rough_dielectric:distribution=beckmann,eta=.5,alpha=.0001",
+        "fresnel_specular:eta=.5",
     ),
     same("rough_dielectric:eta=1", "specular_transmission:eta=1"),
+    same("plastic:eta=1", "lambertian_reflection:reflectance=.5"),
+    narrow("plastic:diffuse=0,alpha=.0001", "plastic:diffuse=0,alpha=0"),
+    Limit {
+        relation: Relation::HasDeltas,
+        ..same(
+            "plastic:alpha=0",
+            "specular_reflection:fresnel=dielectric,eta=1.5",
+        )
+    },
     narrow(
         "rough_conductor:alpha=.0001",
         "specular_reflection:fresnel=conductor,eta=.143/.375/1.442,k=3.983/2.386/1.603",
