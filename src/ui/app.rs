@@ -69,6 +69,8 @@ impl App {
             .id_salt("parameters")
             .auto_shrink([false, false])
             .show(ui, |ui| {
+                // The scroll bar must not lie over the reset buttons.
+                ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
                 let model = self.session.material.model();
                 ui.label(RichText::new(model.title).strong())
                     .on_hover_text(model.source);

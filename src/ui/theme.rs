@@ -13,6 +13,8 @@ pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(920.0, 600.0);
 pub const USABLE_SIZE: Vec2 = Vec2::new(400.0, 240.0);
 /// The width of the panel with models and parameters.
 pub const SIDE_WIDTH: f32 = 292.0;
+/// The room that a scroll bar takes when the pointer is near, in points.
+pub const SCROLL_ROOM: f32 = 12.0;
 /// The width of a drop-down, in points.
 pub const COMBO_WIDTH: f32 = 118.0;
 /// Width of the curve of a lobe.

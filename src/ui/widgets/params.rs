@@ -6,6 +6,9 @@ use crate::bxdf::Material;
 use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
 use crate::ui::theme;
 
+/// The names of the channels.
+const CHANNELS: [&str; 3] = ["R", "G", "B"];
+
 /// The parameters of `material`; those without effect at present are left out.
 pub fn show(ui: &mut Ui, material: &mut Material) {
     let params = material.params().clone();
@@ -44,11 +47,18 @@ fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value) {
     ui.horizontal(|ui| {
         let hint = hint(spec);
         match value {
-            Value::Number(number) => slider(ui, spec, number),
-            Value::Rgb(rgb) => {
+            Value::Number(number) => slider(ui, spec, &spec.label(), number),
+            Value::Rgb(rgb) if spec.is_colour() => {
                 ui.vertical(|ui| {
                     ui.label(spec.label()).on_hover_text(&hint);
-                    ui.horizontal(|ui| channels(ui, spec, rgb));
+                    ui.horizontal(|ui| colour(ui, spec, rgb));
+                });
+            }
+            Value::Rgb(rgb) => {
+                ui.vertical(|ui| {
+                    for (channel, name) in rgb.iter_mut().zip(CHANNELS) {
+                        slider(ui, spec, &format!("{} {name}", spec.label()), channel);
+                    }
                 });
             }
             Value::Choice(word) => choice(ui, spec, word),
@@ -87,7 +97,7 @@ fn hint(spec: &ParamSpec) -> String {
     }
 }
 
-fn slider(ui: &mut Ui, spec: &ParamSpec, number: &mut f64) {
+fn slider(ui: &mut Ui, spec: &ParamSpec, label: &str, number: &mut f64) {
     let [low, high] = spec.soft;
     let [hard_low, hard_high] = spec.hard;
     // The slider covers the soft range; a typed number may lie anywhere in the hard one.
@@ -102,25 +112,22 @@ fn slider(ui: &mut Ui, spec: &ParamSpec, number: &mut f64) {
     .clamping(egui::SliderClamping::Never)
     .max_decimals(4)
     .suffix(if spec.unit == "degrees" { "°" } else { "" })
-    .text(spec.label());
+    .text(label);
     // The slider's text has no tooltip of its own: the whole row shows it.
     let row = ui.scope(|ui| ui.add(slider)).response;
     row.on_hover_text(hint(spec));
 }
 
-fn channels(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {
-    if spec.is_colour() {
-        let mut color = rgb.map(|channel| channel as f32);
-        let button = ui
-            .color_edit_button_rgb(&mut color)
-            .on_hover_text(hint(spec));
-        button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ColorWell, true, spec.label()));
-        if button.changed() {
-            *rgb = color.map(|channel| f64::from(channel).clamp(spec.hard[0], spec.hard[1]));
-        }
+fn colour(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {
+    let mut color = rgb.map(|channel| channel as f32);
+    let button = ui
+        .color_edit_button_rgb(&mut color)
+        .on_hover_text(hint(spec));
+    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ColorWell, true, spec.label()));
+    if button.changed() {
+        *rgb = color.map(|channel| f64::from(channel).clamp(spec.hard[0], spec.hard[1]));
     }
-    let names = ["R", "G", "B"];
-    for (channel, name) in rgb.iter_mut().zip(names) {
+    for (channel, name) in rgb.iter_mut().zip(CHANNELS) {
         let speed = 0.005 * (spec.soft[1] - spec.soft[0]);
         let field = DragValue::new(channel)
             .prefix(format!("{name} "))
