@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 
-use super::quadrature::Integral;
-use crate::bxdf::{Bxdf, Side};
+use crate::bxdf::{Bxdf, Lobe, Side};
 
 /// Which of the two directions is held while the lobe is drawn over the other.
 #[derive(
@@ -20,7 +19,7 @@ pub enum Hold {
     Viewer,
 }
 
-/// How many sample directions mark a lobe out, along each side of the unit square.
+/// How many directions mark an inner lobe out, along each side of the unit square.
 const SEEDS_PER_SIDE: u32 = 24;
 
 /// How far above the horizon plane the limit of a value is taken, as a cosine: the plane itself carries nothing, but a
@@ -96,128 +95,62 @@ impl<'a> HeldLobe<'a> {
         deltas.into_iter().flatten().map(arrow).collect()
     }
 
-    /// Directions where the lobe is, denser where it is higher: the images of a regular grid under the model's own
-    /// sampling. They tell the adaptive curve, mesh and quadrature where a narrow lobe hides.
+    /// The inner lobes of the surface; see [`Bxdf::lobes`].
+    #[must_use]
+    pub fn lobes(&self) -> &'static [Lobe] {
+        self.bxdf.lobes()
+    }
+
+    /// The free direction that the inner lobe at `index` maps `u` to, and f |cos(theta)| / pdf there for that lobe alone,
+    /// per channel: its integral over the unit square is that of f |cos(theta)| over the sphere. `None` where the
+    /// direction is lost.
+    ///
+    /// The maps are made for a held `wo`; they follow the lobe of a held `wi` as well, whatever their density.
+    #[must_use]
+    pub fn drawn(&self, index: usize, u: [f64; 2]) -> Option<(DVec3, [f64; 3])> {
+        let held = self.held.into();
+        let free = self.bxdf.sample_lobe(index, held, u)?;
+        let pdf = self.bxdf.lobe_pdf(index, held, free);
+        if pdf <= 0.0 {
+            return None;
+        }
+        let f = match self.hold {
+            Hold::Light => self.bxdf.lobe_f(index, free, held),
+            Hold::Viewer => self.bxdf.lobe_f(index, held, free),
+        };
+        let scale = free.z.abs() / pdf;
+        Some((free.into(), f.to_f64().map(|f| f * scale)))
+    }
+
+    /// Directions where the lobe is, denser where it is higher: the images of a regular grid under the map of each inner
+    /// lobe. They tell the adaptive curve and mesh where a narrow lobe hides.
     #[must_use]
     pub fn seeds(&self) -> Seeds {
-        let drawn = f64::from(SEEDS_PER_SIDE * SEEDS_PER_SIDE);
-        let mut seeds = Seeds {
-            directions: Vec::with_capacity(drawn as usize),
-            drawn,
-            sum: 0.0,
-        };
-        self.draw(SEEDS_PER_SIDE, |direction, weight| {
-            seeds.directions.push(direction);
-            seeds.sum += weight.into_iter().fold(0.0, f64::max);
-        });
-        seeds.directions.extend(self.outer_lobes());
-        seeds
-    }
-
-    /// The integrals of f |cos(theta)| over the hemispheres about +n and -n as means of `per_side`^2 stratified samples;
-    /// the error is one standard error of as many independent samples.
-    #[must_use]
-    pub fn sampled_integrals(&self, per_side: u32) -> [Integral; 2] {
-        let (mut sums, mut squares) = ([[0.0; 3]; 2], [[0.0; 3]; 2]);
-        self.draw(per_side, |direction, weight| {
-            let side = usize::from(direction.z < 0.0);
-            if let (Some(sum), Some(square)) = (sums.get_mut(side), squares.get_mut(side)) {
-                sum.iter_mut().zip(weight).for_each(|(sum, w)| *sum += w);
-                square
-                    .iter_mut()
-                    .zip(weight)
-                    .for_each(|(square, w)| *square += w * w);
-            }
-        });
-        let drawn = f64::from(per_side) * f64::from(per_side);
-        let [upper, lower] = [0, 1].map(|side: usize| {
-            let value = sums
-                .get(side)
-                .copied()
-                .unwrap_or_default()
-                .map(|sum| sum / drawn);
-            let mean_square = squares
-                .get(side)
-                .copied()
-                .unwrap_or_default()
-                .map(|square| square / drawn);
-            let variance = value
-                .iter()
-                .zip(mean_square)
-                .map(|(mean, square)| square - mean * mean)
-                .fold(0.0, f64::max);
-            Integral {
-                value,
-                error: (variance / drawn).sqrt(),
-                has_converged: false,
-            }
-        });
-        [upper, lower]
-    }
-
-    /// Visits the directions of a regular grid of `per_side`^2 cells under the model's sampling, each with
-    /// f |cos(theta)| over its density. Lost samples and deltas are not visited.
-    fn draw(&self, per_side: u32, mut visit: impl FnMut(DVec3, [f64; 3])) {
-        let centre = |index: u32| (f64::from(index) + 0.5) / f64::from(per_side);
-        for (i, j) in (0..per_side).flat_map(|i| (0..per_side).map(move |j| (i, j))) {
-            let u = [centre(i), centre(j)];
-            let sample = self
-                .bxdf
-                .sample_f(self.held.into(), radical_inverse(i * per_side + j), u);
-            let Some(sample) = sample.filter(|sample| !sample.is_delta && sample.pdf > 0.0) else {
-                continue;
-            };
-            let direction = DVec3::from(sample.wi);
-            let scale = direction.z.abs() / sample.pdf;
-            visit(direction, self.value(direction).map(|f| f * scale));
-        }
-    }
-
-    /// Directions of the lobes that are seldom sampled, as many for each as of a model with one lobe.
-    ///
-    /// A model chooses among its lobes by one number; its ends choose the first and the last of them, however faint.
-    /// Empty where they choose the same.
-    fn outer_lobes(&self) -> Vec<DVec3> {
-        let ends = [0.0, 1.0 - 0.5 * f64::EPSILON];
         let n = SEEDS_PER_SIDE;
         let centre = |index: u32| (f64::from(index) + 0.5) / f64::from(n);
-        let sample = |uc: f64, i: u32, j: u32| {
-            let sample = self
-                .bxdf
-                .sample_f(self.held.into(), uc, [centre(i), centre(j)])?;
-            (!sample.is_delta && sample.pdf > 0.0).then(|| DVec3::from(sample.wi))
+        let mut seeds = Seeds {
+            directions: Vec::with_capacity(self.lobes().len() * (n * n) as usize),
+            integral: 0.0,
         };
-        let [first, last] = ends.map(|uc| sample(uc, n / 3, n / 2));
-        if first == last {
-            return Vec::new();
+        for index in 0..self.lobes().len() {
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+                if let Some((direction, weight)) = self.drawn(index, [centre(i), centre(j)]) {
+                    seeds.directions.push(direction);
+                    seeds.integral += weight.into_iter().fold(0.0, f64::max) / f64::from(n * n);
+                }
+            }
         }
-        let cells = || (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
-        ends.into_iter()
-            .flat_map(|uc| cells().filter_map(move |(i, j)| sample(uc, i, j)))
-            .collect()
+        seeds
     }
 }
 
 /// What [`HeldLobe::seeds`] returns.
 #[derive(Clone, Debug)]
 pub struct Seeds {
-    /// The directions, lost samples and deltas left out.
+    /// The directions, lost ones left out.
     pub directions: Vec<DVec3>,
-    drawn: f64,
-    sum: f64,
-}
-
-impl Seeds {
     /// An estimate, good to a few percent, of the integral of f |cos(theta)| over the sphere, largest channel.
-    #[must_use]
-    pub fn integral(&self) -> f64 {
-        self.sum / self.drawn
-    }
-}
-
-/// The van der Corput sequence in base 2: the bits of `index` mirrored behind the binary point.
-fn radical_inverse(index: u32) -> f64 {
-    f64::from(index.reverse_bits()) / 2_f64.powi(32)
+    pub integral: f64,
 }
 
 #[cfg(test)]
@@ -231,7 +164,7 @@ mod tests {
         let material: Material = "lambertian_reflection:reflectance=0.6".parse().unwrap();
         let model = material.build();
         let lobe = HeldLobe::new(&*model, Hold::Light, direction_from_degrees(40.0, 10.0));
-        assert!((lobe.seeds().integral() - 0.6).abs() < 1e-12);
+        assert!((lobe.seeds().integral - 0.6).abs() < 1e-12);
         assert_eq!(lobe.seeds().directions.len(), 576);
     }
 

@@ -39,15 +39,30 @@ pub trait Bxdf<R: Real>: Send + Sync {
     /// `None` is "no sample": a random choice that leaves the hemisphere, or total internal reflection.
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>>;
 
-    /// The part of `f` that belongs to the lobe at `index` of the model's [`ModelSpec::lobes`]; the parts sum to `f`.
+    /// The lobes that have a value at these parameters, each of which can be evaluated, drawn and integrated by itself
+    /// under its index. Dirac deltas are not among them.
+    fn lobes(&self) -> &'static [Lobe] {
+        &[]
+    }
+
+    /// The part of `f` that belongs to the lobe at `index` of [`Self::lobes`], in 1/sr; the parts sum to `f`.
     ///
-    /// Models with one lobe need not say more than `f`; a perfect specular lobe has no value, its part is 0.
-    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        if index == 0 {
-            self.f(wo, wi)
-        } else {
-            Spectrum::black()
-        }
+    /// Models with one lobe need not say more than `f`. `index` must be within [`Self::lobes`].
+    fn lobe_f(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        self.f(wo, wi)
+    }
+
+    /// The density per solid angle of [`Self::sample_lobe`], in 1/sr.
+    ///
+    /// Models whose `sample_f` needs no choice need not say more than `pdf`.
+    fn lobe_pdf(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.pdf(wo, wi)
+    }
+
+    /// A direction of incidence for `wo` that follows the lobe at `index` alone: a smooth map of the unit square, so that
+    /// integrals over the lobe are integrals over `u`. `None` where the direction drawn is lost.
+    fn sample_lobe(&self, _index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        Some(self.sample_f(wo, R::zero(), u)?.wi)
     }
 
     /// The factors of a microfacet model at a pair of directions. `None` for other models, and where there is no
@@ -160,15 +175,31 @@ pub fn are_across<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> bool {
     (wo.z > zero && wi.z < zero) || (wo.z < zero && wi.z > zero)
 }
 
-/// Samples a two-sided reflection model whose `sample_above` draws `wi` for a `wo` above the surface.
-///
-/// `None` where `wo` lies in the horizon plane, and where the direction drawn is not above it.
+/// Samples a two-sided reflection model whose `sample_above` draws `wi` for a `wo` above the surface; see
+/// [`reflected_direction`].
 #[inline(always)]
 pub fn sample_reflection<R: Real>(
     model: &impl Bxdf<R>,
     wo: Vec3<R>,
     sample_above: impl FnOnce(Vec3<R>) -> Option<Vec3<R>>,
 ) -> Option<Sample<R>> {
+    let wi = reflected_direction(wo, sample_above)?;
+    Some(Sample {
+        wi,
+        f: model.f(wo, wi),
+        pdf: model.pdf(wo, wi),
+        is_delta: false,
+    })
+}
+
+/// The direction on the side of `wo` that `sample_above` draws for a `wo` above the surface, mirrored where it is below.
+///
+/// `None` where `wo` lies in the horizon plane, and where the direction drawn is not above it.
+#[inline(always)]
+pub fn reflected_direction<R: Real>(
+    wo: Vec3<R>,
+    sample_above: impl FnOnce(Vec3<R>) -> Option<Vec3<R>>,
+) -> Option<Vec3<R>> {
     let zero = R::zero();
     let is_above = wo.z > zero;
     let wo_above = if is_above {
@@ -180,16 +211,10 @@ pub fn sample_reflection<R: Real>(
         return None;
     }
     let wi_above = sample_above(wo_above).filter(|wi| wi.z > zero)?;
-    let wi = if is_above {
+    Some(if is_above {
         wi_above
     } else {
         wi_above.mirrored_in_surface()
-    };
-    Some(Sample {
-        wi,
-        f: model.f(wo, wi),
-        pdf: model.pdf(wo, wi),
-        is_delta: false,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
-use super::{Bxdf, Delta, Deltas, Microfacet, Sample};
+use super::{Bxdf, Delta, Deltas, Lobe, Microfacet, Sample};
 
 /// `inner` on a surface whose s axis points to azimuth `angle`: the same model with all directions turned.
 pub struct Rotated<R: Real> {
@@ -58,6 +58,22 @@ impl<R: Real> Bxdf<R> for Rotated<R> {
             wi: self.fixed_from_local(sample.wi),
             ..sample
         })
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        self.inner.lobes()
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.inner
+            .lobe_pdf(index, self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        let wi = self
+            .inner
+            .sample_lobe(index, self.local_from_fixed(wo), u)?;
+        Some(self.fixed_from_local(wi))
     }
 
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {

@@ -7,9 +7,9 @@ use serde::Serialize;
 
 use super::{args, output};
 use crate::analysis::isotropy;
-use crate::analysis::reflectance::{Reflectance, directional_hemispherical};
+use crate::analysis::reflectance::{LobeShare, MAX_EVALUATIONS, Reflectance, lobe_shares};
 use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::{Bxdf, Material, ModelSpec, Side};
+use crate::bxdf::{Bxdf, Material};
 use crate::error::Result;
 
 /// The absolute error asked of the quadrature: a few digits beyond those printed, at no wait for any model.
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
 fn report(arguments: &Arguments) -> Report {
     let material = &arguments.material;
     let bxdf = material.build::<f64>();
-    let row = |&theta: &f64| row(material.model(), &*bxdf, theta, arguments.phi);
+    let row = |&theta: &f64| row(&*bxdf, theta, arguments.phi);
     Report {
         material: material.to_string(),
         phi: arguments.phi,
@@ -90,31 +90,30 @@ fn report(arguments: &Arguments) -> Report {
     }
 }
 
-fn row(model: &ModelSpec, bxdf: &dyn Bxdf<f64>, theta: f64, phi: f64) -> Row {
-    let found = directional_hemispherical(bxdf, direction_from_degrees(theta, phi), TOLERANCE);
+fn row(bxdf: &dyn Bxdf<f64>, theta: f64, phi: f64) -> Row {
+    let wi = direction_from_degrees(theta, phi);
+    let lobes = lobe_shares(bxdf, wi, TOLERANCE, MAX_EVALUATIONS);
+    let found = Reflectance::of(&lobes);
     Row {
         theta,
         reflection: found.reflection,
         transmission: found.transmission,
         absorbed: found.absorbed(),
         error: found.error,
-        shares: shares(model, &found),
+        shares: shares(&lobes),
     }
 }
 
-/// The share of each lobe that has its side to itself: what leaves on that side is all its own.
-fn shares(model: &ModelSpec, found: &Reflectance) -> Shares {
+/// The shares of the lobes, those of the same category and side together.
+fn shares(lobes: &[LobeShare]) -> Shares {
     let mut shares = Shares::new();
-    for lobe in model.lobes {
-        let is_alone = model.lobes.iter().filter(|l| l.side == lobe.side).count() == 1;
-        if is_alone {
-            let share = match lobe.side {
-                Side::Reflection => found.reflection,
-                Side::Transmission => found.transmission,
-            };
-            let sides = shares.entry(lobe.category.id()).or_default();
-            sides.insert(lobe.side.id(), share);
-        }
+    for LobeShare { lobe, value, .. } in lobes {
+        let sides = shares.entry(lobe.category.id()).or_default();
+        let share = sides.entry(lobe.side.id()).or_default();
+        share
+            .iter_mut()
+            .zip(value)
+            .for_each(|(share, value)| *share += value);
     }
     shares
 }
@@ -175,26 +174,20 @@ mod tests {
     use crate::bxdf::{Category, Lobe};
 
     #[test]
-    fn only_a_lobe_alone_on_its_side_has_a_share() {
-        static MIXED: [Lobe; 3] = [
-            Lobe::reflection(Category::Diffuse),
-            Lobe::reflection(Category::GlossySpecular),
-            Lobe::transmission(Category::GlossySpecular),
-        ];
-        let material: Material = "lambertian_reflection".parse().unwrap();
-        let model = ModelSpec {
-            lobes: &MIXED,
-            ..*material.model()
-        };
-        let found = Reflectance {
-            reflection: [0.5; 3],
-            transmission: [0.25; 3],
+    fn lobes_of_one_kind_count_together() {
+        let share = |lobe, value| LobeShare {
+            lobe,
+            value: [value; 3],
             error: 0.0,
         };
-        let shares = shares(&model, &found);
+        let shares = shares(&[
+            share(Lobe::reflection(Category::Diffuse).named("ground"), 0.5),
+            share(Lobe::reflection(Category::Diffuse).named("sheen"), 0.25),
+            share(Lobe::transmission(Category::Diffuse), 0.125),
+        ]);
         assert_eq!(shares.len(), 1);
-        assert_eq!(shares["glossy_specular"].len(), 1);
-        assert_eq!(shares["glossy_specular"]["transmission"], [0.25; 3]);
+        assert_eq!(shares["diffuse"]["reflection"], [0.75; 3]);
+        assert_eq!(shares["diffuse"]["transmission"], [0.125; 3]);
     }
 
     #[test]

@@ -58,6 +58,18 @@ enum Verb {
     /// Render the window into a picture
     #[cfg(feature = "gui")]
     Render(render::Arguments),
+    /// Render the window into a picture; not in this build
+    #[cfg(not(feature = "gui"))]
+    #[command(hide = true)]
+    Render(NoWindow),
+}
+
+/// Whatever stands after a verb that this build lacks.
+#[cfg(not(feature = "gui"))]
+#[derive(clap::Args)]
+struct NoWindow {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    _words: Vec<std::ffi::OsString>,
 }
 
 /// The whole program: reads the arguments of the process, does what they ask, and says how it went.
@@ -101,6 +113,8 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
         }
         #[cfg(feature = "gui")]
         Some(Verb::Render(arguments)) => render::run(&arguments.request()?)?,
+        #[cfg(not(feature = "gui"))]
+        Some(Verb::Render(_)) => window()?,
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -113,8 +127,8 @@ fn window() -> Result<()> {
 #[cfg(not(feature = "gui"))]
 fn window() -> Result<()> {
     Err(Error::Platform {
-        problem: "this build has no window".to_owned(),
-        remedy: "build it with the gui feature, or name a verb (see --help)".to_owned(),
+        problem: "this build has no window and draws no pictures".to_owned(),
+        remedy: "build it with the gui feature, or name another verb (see --help)".to_owned(),
     })
 }
 

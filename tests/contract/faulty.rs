@@ -29,6 +29,8 @@ pub const F_WITHOUT_PDF: usize = 17;
 pub const SAMPLES_LOST: usize = 18;
 pub const BLIND: usize = 19;
 pub const PDF_SLIGHTLY_TOO_LARGE: usize = 20;
+pub const LOBE_TOO_DARK: usize = 21;
+pub const LOBE_PDF_TOO_LARGE: usize = 22;
 
 /// A lawful model with one fault.
 struct Faulty<R, const FAULT: usize> {
@@ -121,6 +123,32 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
             sample.f = sample.f * R::of(1.0 + 1e-6);
         }
         Some(sample)
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        self.inner.lobes()
+    }
+
+    fn lobe_f(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        let f = self.f(wo, wi);
+        if FAULT == LOBE_TOO_DARK {
+            f * R::of(0.999)
+        } else {
+            f
+        }
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        let pdf = self.inner.lobe_pdf(index, wo, wi);
+        if FAULT == LOBE_PDF_TOO_LARGE {
+            pdf * R::of(1.001)
+        } else {
+            pdf
+        }
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        self.inner.sample_lobe(index, wo, u)
     }
 
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {

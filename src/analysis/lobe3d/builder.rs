@@ -67,7 +67,7 @@ impl<'a> Builder<'a> {
             lobe,
             request,
             is_upper,
-            total: seeds.integral(),
+            total: seeds.integral,
             peak: 0.0,
             vertices: Vec::new(),
             triangles: Vec::new(),

@@ -7,7 +7,7 @@ pub mod gaussian_slopes;
 use super::math::{Real, Vec3, warp};
 use super::optics::Spectrum;
 use super::param::{ParamSpec, Scale};
-use super::{Bxdf, Category, Lobe, Sample, both_above, sample_reflection};
+use super::{Bxdf, Category, Lobe, Sample, both_above, reflected_direction, sample_reflection};
 
 /// The lobes of a [`Mixture`], in its order.
 pub const LOBES: &[Lobe] = &[
@@ -91,7 +91,8 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         both_above(wo, wi).map_or(R::zero(), |(wo, wi)| {
             let [glossy, diffuse] = self.0.shares(wo);
-            (glossy * self.0.glossy_pdf(wo, wi) + diffuse * (wi.z * R::FRAC_1_PI())).saturated()
+            (glossy * self.0.glossy_pdf(wo, wi) + diffuse * warp::cosine_hemisphere_pdf(wi.z))
+                .saturated()
         })
     }
 
@@ -107,12 +108,29 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
         has_density(sample)
     }
 
+    fn lobes(&self) -> &'static [Lobe] {
+        LOBES
+    }
+
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        match (both_above(wo, wi), index) {
-            (Some((wo, wi)), 0) => self.0.glossy(wo, wi),
-            (Some((wo, wi)), 1) => self.0.diffuse(wo, wi),
-            _ => Spectrum::black(),
-        }
+        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| match index {
+            0 => self.0.glossy(wo, wi),
+            _ => self.0.diffuse(wo, wi),
+        })
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+            0 => self.0.glossy_pdf(wo, wi),
+            _ => warp::cosine_hemisphere_pdf(wi.z),
+        })
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        reflected_direction(wo, |wo| match index {
+            0 => self.0.sample_glossy(wo, u),
+            _ => Some(warp::cosine_hemisphere(u)),
+        })
     }
 }
 

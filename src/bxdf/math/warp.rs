@@ -5,25 +5,22 @@ use num_traits::Float;
 use super::{Real, Vec3};
 
 /// Uniform points of the unit square to the cosine-weighted hemisphere about +z, density cos(theta) / pi per solid
-/// angle (Malley's method over the concentric disc map).
+/// angle: Malley's method over the polar map of the disc.
 ///
-/// # Source
-/// Shirley & Chiu 1997, "A Low Distortion Map Between Disk and Square", `doi:10.1080/10867651.1997.10487479`
+/// u\[0\] is sin^2(theta), u\[1\] the azimuth over 2 pi. The map is smooth and periodic in the azimuth, so that a
+/// quadrature over the square converges as over the hemisphere, and has no branch; the concentric map of Shirley & Chiu
+/// distorts less but has creases along the diagonals.
 #[inline(always)]
 pub fn cosine_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
-    let a = R::of(2.0) * u[0] - R::one();
-    let b = R::of(2.0) * u[1] - R::one();
-    let quarter_pi = R::FRAC_PI_4();
-    let (radius, angle) = if a.abs() > b.abs() {
-        (a, quarter_pi * (b / a))
-    } else if b == R::zero() {
-        (R::zero(), R::zero())
-    } else {
-        (b, R::FRAC_PI_2() - quarter_pi * (a / b))
-    };
-    let (sin, cos) = Float::sin_cos(angle);
-    let z = ((R::one() - radius) * (R::one() + radius)).sqrt_clamped();
+    let (radius, z) = (u[0].sqrt(), (R::one() - u[0]).sqrt());
+    let (sin, cos) = Float::sin_cos(R::TAU() * u[1]);
     Vec3::new(radius * cos, radius * sin, z)
+}
+
+/// The density of [`cosine_hemisphere`] at a direction of cosine `mu`, in 1/sr.
+#[inline(always)]
+pub fn cosine_hemisphere_pdf<R: Real>(mu: R) -> R {
+    mu * R::FRAC_1_PI()
 }
 
 /// Uniform points of the unit square to the hemisphere about +z, density 1 / (2 pi) per solid angle; never the horizon.
@@ -34,6 +31,13 @@ pub fn uniform_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
     let (z, radius) = (R::one() - u[0], (u[0] * (R::of(2.0) - u[0])).sqrt_clamped());
     let (sin, cos) = Float::sin_cos(R::TAU() * u[1]);
     Vec3::new(radius * cos, radius * sin, z)
+}
+
+/// The density of [`uniform_hemisphere`], in 1/sr.
+#[must_use]
+#[inline(always)]
+pub fn uniform_hemisphere_pdf<R: Real>() -> R {
+    R::of(0.5) * R::FRAC_1_PI()
 }
 
 /// A mixture of [`cosine_hemisphere`], which has the share `cosine_share` and is chosen where `uc` is below it, and

@@ -15,6 +15,7 @@
 use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::fresnel::schlick_weight;
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{both_above, sample_reflection};
 
@@ -63,14 +64,6 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     })
 }
 
-/// Schlick's weight (1 - mu)^5.
-#[inline(always)]
-fn schlick_weight<R: Real>(mu: R) -> R {
-    let m = (R::one() - mu).max(R::zero());
-    let m2 = m * m;
-    m2 * m2 * m
-}
-
 impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -84,11 +77,15 @@ impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
     }
 
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(_, wi)| wi.z * R::FRAC_1_PI())
+        both_above(wo, wi).map_or(R::zero(), |(_, wi)| warp::cosine_hemisphere_pdf(wi.z))
     }
 
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
     }
 }
 

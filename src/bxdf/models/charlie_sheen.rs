@@ -158,11 +158,15 @@ impl<R: Real> Bxdf<R> for CharlieSheen<R> {
     }
 
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |_| R::of(0.5) * R::FRAC_1_PI())
+        both_above(wo, wi).map_or(R::zero(), |_| warp::uniform_hemisphere_pdf())
     }
 
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |_| Some(warp::uniform_hemisphere(u)))
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
     }
 }
 

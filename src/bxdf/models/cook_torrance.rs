@@ -134,6 +134,10 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
         }))
     }
 
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
+    }
+
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
         let (wo, wi) = both_above(wo, wi)?;
         let (wh, cos_d) = half_vector(wo, wi)?;

@@ -24,7 +24,7 @@ use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{both_above, sample_reflection};
+use crate::bxdf::{both_above, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -91,6 +91,12 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     },
 };
 
+/// What becomes of its one lobe when light is counted by how often it is scattered.
+const LOBES: &[Lobe] = &[
+    Lobe::reflection(Category::RetroReflective).named("single scattering"),
+    Lobe::reflection(Category::RetroReflective).named("multiple scattering"),
+];
+
 struct Hapke<R> {
     albedo: Spectrum<R>,
     /// The paper's r0, the diffusive reflectance of each channel.
@@ -153,6 +159,30 @@ impl<R: Real> Hapke<R> {
         (one - x) * (one + x) / (q * q.sqrt())
     }
 
+    /// What is scattered once: the surge of opposition times the phase function.
+    #[inline(always)]
+    fn single(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        let (d2, s2) = chords(wo, wi);
+        // B0 / (1 + tan(g/2) / h) with tan(g/2) = |wi - wo| / |wi + wo|: the two are never 0 together.
+        let near = self.width * s2.sqrt();
+        let surge = self.strength * near / (near + d2.sqrt());
+        (R::one() + surge) * self.phase(d2, s2)
+    }
+
+    /// f in 1/sr for what is `scattered` by grains in all, relative to an isotropic one.
+    #[inline(always)]
+    fn value(&self, wo: Vec3<R>, wi: Vec3<R>, scattered: Spectrum<R>) -> Spectrum<R> {
+        let scale = R::of(0.25) * R::FRAC_1_PI() / (wi.z + wo.z);
+        (self.albedo * scattered).map(|x| (x * scale).saturated())
+    }
+
+    /// The density of [`Self::sample_phase`], in 1/sr.
+    #[inline(always)]
+    fn phase_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        let (d2, s2) = chords(wo, wi);
+        self.phase(d2, s2) * R::of(0.25) * R::FRAC_1_PI()
+    }
+
     /// The shares of the phase function and of the cosine among the samples at `mu_o`, the latter of what is left.
     ///
     /// A forward phase function reaches above the surface only from grazing directions. mu_i / (mu_i + mu_o) is at most
@@ -210,21 +240,15 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
         };
-        let (d2, s2) = chords(wo, wi);
-        // B0 / (1 + tan(g/2) / h) with tan(g/2) = |wi - wo| / |wi + wo|: the two are never 0 together.
-        let near = self.width * s2.sqrt();
-        let surge = self.strength * near / (near + d2.sqrt());
-        let single = (R::one() + surge) * self.phase(d2, s2);
-        let scale = R::of(0.25) * R::FRAC_1_PI() / (wi.z + wo.z);
+        let single = self.single(wo, wi);
         let scattered = self.repeated(wi.z, wo.z).map(|repeated| single + repeated);
-        (self.albedo * scattered).map(|x| (x * scale).saturated())
+        self.value(wo, wi, scattered)
     }
 
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         both_above(wo, wi).map_or(R::zero(), |(wo, wi)| {
             let (phase_share, cosine_share) = self.shares(wo.z);
-            let (d2, s2) = chords(wo, wi);
-            let phase = self.phase(d2, s2) * R::of(0.25) * R::FRAC_1_PI();
+            let phase = self.phase_pdf(wo, wi);
             let broad = warp::mixed_hemisphere_pdf(cosine_share, wi.z);
             phase_share * phase + (R::one() - phase_share) * broad
         })
@@ -239,6 +263,36 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
                 let rest = (uc - phase_share) / (R::one() - phase_share);
                 Some(warp::mixed_hemisphere(cosine_share, rest, u))
             }
+        })
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        LOBES
+    }
+
+    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| {
+            let scattered = match index {
+                0 => Spectrum::grey(self.single(wo, wi)),
+                _ => self.repeated(wi.z, wo.z),
+            };
+            self.value(wo, wi, scattered)
+        })
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+            0 => self.phase_pdf(wo, wi),
+            _ => warp::uniform_hemisphere_pdf(),
+        })
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        reflected_direction(wo, |wo| {
+            Some(match index {
+                0 => self.sample_phase(wo, u),
+                _ => warp::uniform_hemisphere(u),
+            })
         })
     }
 }

@@ -51,10 +51,14 @@ impl<R: Real> Bxdf<R> for LambertianReflection<R> {
     }
 
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(_, wi)| wi.z * R::FRAC_1_PI())
+        both_above(wo, wi).map_or(R::zero(), |(_, wi)| warp::cosine_hemisphere_pdf(wi.z))
     }
 
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
     }
 }

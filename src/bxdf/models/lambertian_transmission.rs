@@ -77,4 +77,8 @@ impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
             is_delta: false,
         })
     }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
+    }
 }

@@ -23,7 +23,7 @@ use crate::bxdf::microfacet::{Distribution, Masking, half_vector};
 use crate::bxdf::optics::diffuse_fresnel::diffuse_transmittance;
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{Delta, Deltas, Microfacet, both_above, sample_reflection};
+use crate::bxdf::{Delta, Deltas, Microfacet, both_above, reflected_direction, sample_reflection};
 
 /// The smallest width of a rough coat.
 const SMALLEST_ALPHA: f64 = 1e-4;
@@ -147,6 +147,15 @@ impl<R: Real> Plastic<R> {
         Spectrum::grey(value.unwrap_or(R::zero()))
     }
 
+    /// The density of the coat's visible normals, of directions above the surface; 0 where it is a delta.
+    fn coat_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        let pdf = self.coat.as_ref().and_then(|(distribution, _)| {
+            let (wh, _) = half_vector(wo, wi)?;
+            Some(distribution.reflection_pdf(wo, wh))
+        });
+        pdf.unwrap_or(R::zero())
+    }
+
     fn facet_reflectance(&self, wo: Vec3<R>, wi: Vec3<R>, cos_d: R) -> R {
         // Half the angle between the two: |wo - wi| / 2 is its sine.
         let sin2 = (wo - wi).length_squared() * R::of(0.25);
@@ -187,11 +196,7 @@ impl<R: Real> Bxdf<R> for Plastic<R> {
             return R::zero();
         };
         let [coat_share, ground_share] = self.shares(wo);
-        let coat = self.coat.as_ref().and_then(|(distribution, _)| {
-            let (wh, _) = half_vector(wo, wi)?;
-            Some(distribution.reflection_pdf(wo, wh))
-        });
-        coat_share * coat.unwrap_or(R::zero()) + ground_share * wi.z * R::FRAC_1_PI()
+        coat_share * self.coat_pdf(wo, wi) + ground_share * warp::cosine_hemisphere_pdf(wi.z)
     }
 
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
@@ -208,11 +213,29 @@ impl<R: Real> Bxdf<R> for Plastic<R> {
         }
     }
 
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
+    }
+
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| match index {
             0 => self.coat_value(wo, wi),
-            1 => self.ground_value(wo, wi),
-            _ => Spectrum::black(),
+            _ => self.ground_value(wo, wi),
+        })
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+            0 => self.coat_pdf(wo, wi),
+            _ => warp::cosine_hemisphere_pdf(wi.z),
+        })
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        reflected_direction(wo, |wo| match (index, &self.coat) {
+            (0, Some((distribution, _))) => distribution.sample_reflection(wo, u),
+            (0, None) => None,
+            _ => Some(warp::cosine_hemisphere(u)),
         })
     }
 

@@ -16,12 +16,14 @@
 use num_traits::Float;
 
 use super::*;
+use crate::bxdf::glossy::reflected;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::ggx::Ggx;
 use crate::bxdf::microfacet::{Masking, half_vector};
 use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::fresnel::{schlick_rest, schlick_weight};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{both_above, sample_reflection};
+use crate::bxdf::{both_above, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -179,13 +181,6 @@ fn mix<R: Real>(a: R, b: R, amount: R) -> R {
     a * (R::one() - amount) + b * amount
 }
 
-/// (1 - cos)^5.
-fn schlick_weight<R: Real>(cos: R) -> R {
-    let m = (R::one() - cos).max(R::zero());
-    let m2 = m * m;
-    m2 * m2 * m
-}
-
 /// A pair of directions above the surface.
 struct Pair<R> {
     wo: Vec3<R>,
@@ -210,7 +205,8 @@ impl<R: Real> Principled<R> {
         let retro = self.roughness * pair.cos_d * pair.cos_d;
         let f90 = half + R::of(2.0) * retro;
         let rough = mix(one, f90, f_o) * mix(one, f90, f_i);
-        let flat = mix(one, retro, f_o) * mix(one, retro, f_i);
+        // mix(1, retro, weight): where both directions graze, retro and 1 - weight are both near 0.
+        let flat = (schlick_rest(mu_o) + retro * f_o) * (schlick_rest(mu_i) + retro * f_i);
         // Saturated first: a black body stays black where both directions graze.
         let under = R::of(1.25) * (flat * (one / (mu_i + mu_o) - half) + half);
         self.body * mix(rough, under.saturated(), self.subsurface)
@@ -249,6 +245,11 @@ impl<R: Real> Principled<R> {
         let one_minus_a2 = (R::one() - a) * (R::one() + a);
         let sin2 = wh.x * wh.x + wh.y * wh.y;
         one_minus_a2 / (-R::PI() * R::of(2.0) * a.ln() * (a * a + one_minus_a2 * sin2))
+    }
+
+    /// The density of a direction reflected at [`Self::sample_coat_normal`], in 1/sr.
+    fn coat_pdf(&self, pair: &Pair<R>) -> R {
+        (self.coat_d(pair.wh) * pair.wh.z / (R::of(4.0) * pair.cos_d)).saturated()
     }
 
     /// A normal with density `coat_d` times its cosine.
@@ -291,10 +292,9 @@ impl<R: Real> Bxdf<R> for Principled<R> {
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         Pair::new(wo, wi).map_or(R::zero(), |pair| {
             let [specular, diffuse, coat] = self.shares(pair.wo.z);
-            let coat_pdf = self.coat_d(pair.wh) * pair.wh.z / (R::of(4.0) * pair.cos_d);
             let sum = specular * self.specular.reflection_pdf(pair.wo, pair.wh)
-                + diffuse * pair.wi.z * R::FRAC_1_PI()
-                + coat * coat_pdf.saturated();
+                + diffuse * warp::cosine_hemisphere_pdf(pair.wi.z)
+                + coat * self.coat_pdf(&pair);
             sum.saturated()
         })
     }
@@ -307,10 +307,13 @@ impl<R: Real> Bxdf<R> for Principled<R> {
             } else if uc < specular + diffuse {
                 Some(warp::cosine_hemisphere(u))
             } else {
-                let wh = self.sample_coat_normal(u);
-                Some(wh * (R::of(2.0) * wo.dot(wh)) - wo)
+                Some(reflected(wo, self.sample_coat_normal(u)))
             }
         })
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
     }
 
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
@@ -318,8 +321,23 @@ impl<R: Real> Bxdf<R> for Principled<R> {
             0 => self.specular(&pair),
             1 => self.diffuse(&pair),
             2 => self.sheen(&pair),
-            3 => self.clearcoat(&pair),
-            _ => Spectrum::black(),
+            _ => self.clearcoat(&pair),
+        })
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        Pair::new(wo, wi).map_or(R::zero(), |pair| match index {
+            0 => self.specular.reflection_pdf(pair.wo, pair.wh),
+            1 | 2 => warp::cosine_hemisphere_pdf(pair.wi.z),
+            _ => self.coat_pdf(&pair),
+        })
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        reflected_direction(wo, |wo| match index {
+            0 => self.specular.sample_reflection(wo, u),
+            1 | 2 => Some(warp::cosine_hemisphere(u)),
+            _ => Some(reflected(wo, self.sample_coat_normal(u))),
         })
     }
 }

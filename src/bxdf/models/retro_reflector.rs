@@ -81,6 +81,10 @@ impl<R: Real> Bxdf<R> for RetroReflector<R> {
             Some(self.ggx.sample_reflection(wo, u)?.mirrored_about_normal())
         })
     }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
+    }
 }
 
 #[cfg(test)]

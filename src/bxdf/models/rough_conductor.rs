@@ -22,12 +22,13 @@
 use std::sync::Arc;
 
 use super::*;
+use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
 use crate::bxdf::microfacet::multiple_scattering::{EnergyTable, gauss_legendre};
 use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, half_vector};
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Microfacet, both_above, sample_reflection};
+use crate::bxdf::{Microfacet, both_above, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -36,10 +37,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     source: "Torrance & Sparrow 1967; Walter et al. 2007; Heitz 2014; Kulla & Conty 2017; Turquin 2019",
     summary: "A metal of tiny mirrors: the lobe follows the mirror direction, narrow when smooth, wide when rough, a blade \
               when the two widths differ",
-    lobes: &[
-        Lobe::reflection(Category::GlossySpecular).named("single scattering"),
-        Lobe::reflection(Category::Diffuse).named("multiple scattering"),
-    ],
+    lobes: &[Lobe::reflection(Category::GlossySpecular)],
     parameters: &[
         ParamSpec::choice(
             "fresnel",
@@ -84,8 +82,8 @@ const DECLARATIONS: &[Declaration] = &[
     Declaration {
         law: Law::Reciprocity,
         parameters: "fresnel=one,alpha=1,compensation=turquin",
-        theta_deg: 0.0,
-        note: "Turquin's factor depends on wo alone: the two ways differ by up to 68 %",
+        theta_deg: 89.9,
+        note: "Turquin's factor depends on wo alone: the two ways differ by up to 69 %",
     },
     Declaration {
         law: Law::Energy,
@@ -235,6 +233,12 @@ impl<R: Real> Compensation<R> {
     }
 }
 
+/// The lobes where several reflections have one of their own, which knows no mirror direction.
+const COMPENSATED: &[Lobe] = &[
+    Lobe::reflection(Category::GlossySpecular).named("single scattering"),
+    Lobe::reflection(Category::Diffuse).named("multiple scattering"),
+];
+
 struct RoughConductor<R> {
     distribution: Distribution<R>,
     masking: Masking,
@@ -263,6 +267,14 @@ impl<R: Real> RoughConductor<R> {
             (value * lobe).map(Real::saturated)
         })
     }
+
+    /// The density of the visible normals that reflect the one direction into the other, both above the surface.
+    #[inline(always)]
+    fn single_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        half_vector(wo, wi).map_or(R::zero(), |(wh, _)| {
+            self.distribution.reflection_pdf(wo, wh)
+        })
+    }
 }
 
 impl<R: Real> Bxdf<R> for RoughConductor<R> {
@@ -277,9 +289,7 @@ impl<R: Real> Bxdf<R> for RoughConductor<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return R::zero();
         };
-        let single = half_vector(wo, wi).map_or(R::zero(), |(wh, _)| {
-            self.distribution.reflection_pdf(wo, wh)
-        });
+        let single = self.single_pdf(wo, wi);
         match self.compensation.choice(wo.z) {
             Some((table, share)) => (R::one() - share) * single + share * table.pdf(wi.z),
             None => single,
@@ -295,11 +305,31 @@ impl<R: Real> Bxdf<R> for RoughConductor<R> {
         sample.filter(|sample| sample.pdf > R::zero())
     }
 
+    fn lobes(&self) -> &'static [Lobe] {
+        match self.compensation {
+            Compensation::KullaConty { .. } => COMPENSATED,
+            Compensation::None | Compensation::Turquin { .. } => SPEC.lobes,
+        }
+    }
+
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| match index {
             0 => self.single(wo, wi),
-            1 => self.compensation.lobe(wo.z, wi.z),
-            _ => Spectrum::black(),
+            _ => self.compensation.lobe(wo.z, wi.z),
+        })
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+            0 => self.single_pdf(wo, wi),
+            _ => warp::cosine_hemisphere_pdf(wi.z),
+        })
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        reflected_direction(wo, |wo| match index {
+            0 => self.distribution.sample_reflection(wo, u),
+            _ => Some(warp::cosine_hemisphere(u)),
         })
     }
 

@@ -161,8 +161,48 @@ impl<R: Real> RoughDielectric<R> {
         facet.map_or(Spectrum::black(), |facet| self.value(&facet))
     }
 
-    /// The direction drawn for a `wo` above, seen from which the index across is `e`.
-    fn draw(&self, wo: Vec3<R>, e: R, uc: R, u: [R; 2]) -> Option<Vec3<R>> {
+    /// The facet at the half vector of two directions: the one that mirrors, or the one that refracts.
+    #[inline(always)]
+    fn facet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
+        self.mirror(wo, wi).or_else(|| self.refractor(wo, wi))
+    }
+
+    /// The facet of the lobe at `index`.
+    #[inline(always)]
+    fn facet_of(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
+        match index {
+            0 => self.mirror(wo, wi),
+            _ => self.refractor(wo, wi),
+        }
+    }
+
+    /// A direction for `wo`, on whichever side it is, drawn at a visible normal; whether it is reflected there
+    /// is decided by `is_reflected` from the reflectance of the facet.
+    #[inline(always)]
+    fn draw(
+        &self,
+        wo: Vec3<R>,
+        u: [R; 2],
+        is_reflected: impl FnOnce(R) -> bool,
+    ) -> Option<Vec3<R>> {
+        let (e, _) = self.index_across(wo);
+        let (above, _) = upright(wo, wo);
+        if above.z <= R::zero() || above.z.is_nan() {
+            return None;
+        }
+        let wi = self.draw_above(above, e, u, is_reflected)?;
+        Some(upright(wo, wi).1)
+    }
+
+    /// [`Self::draw`] for a `wo` above, seen from which the index across is `e`.
+    #[inline(always)]
+    fn draw_above(
+        &self,
+        wo: Vec3<R>,
+        e: R,
+        u: [R; 2],
+        is_reflected: impl FnOnce(R) -> bool,
+    ) -> Option<Vec3<R>> {
         let wh = self.distribution.sample_visible_normal(wo, u)?;
         let cos = wo.dot(wh);
         if cos <= R::zero() {
@@ -170,9 +210,11 @@ impl<R: Real> RoughDielectric<R> {
         }
         let tangent = wo - wh * cos;
         let share = fresnel::dielectric_with_sine(cos, tangent.length_squared(), e);
-        if uc < share.reflectance {
+        if is_reflected(share.reflectance) {
             let wi = wh * (R::of(2.0) * cos) - wo;
             (wi.z > R::zero()).then_some(wi)
+        } else if share.transmittance <= R::zero() {
+            None
         } else {
             // Through an index below 1 the tangent is stretched, and the rounding of wo with it.
             let (wi, _) = (-(tangent * (R::one() / e)) - wh * share.cos_t).unit_and_length()?;
@@ -193,13 +235,11 @@ fn upright<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
 
 impl<R: Real> Bxdf<R> for RoughDielectric<R> {
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let facet = self.mirror(wo, wi).or_else(|| self.refractor(wo, wi));
-        self.value_of(facet)
+        self.value_of(self.facet(wo, wi))
     }
 
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let facet = self.mirror(wo, wi).or_else(|| self.refractor(wo, wi));
-        facet.map_or(R::zero(), |facet| {
+        self.facet(wo, wi).map_or(R::zero(), |facet| {
             let pdf = self.distribution.reflection_pdf(facet.wo, facet.wh);
             (facet.share * facet.stretch * pdf).saturated()
         })
@@ -209,12 +249,7 @@ impl<R: Real> Bxdf<R> for RoughDielectric<R> {
         if self.is_nothing() {
             return sample_deltas(self.deltas(wo), uc);
         }
-        let (e, _) = self.index_across(wo);
-        let (above, _) = upright(wo, wo);
-        if above.z <= R::zero() || above.z.is_nan() {
-            return None;
-        }
-        let (_, wi) = upright(wo, self.draw(above, e, uc, u)?);
+        let wi = self.draw(wo, u, |reflectance| uc < reflectance)?;
         let pdf = self.pdf(wo, wi);
         // At the edge of total reflection the way back from wi to its facet may fail by a rounding.
         (pdf > R::zero()).then(|| Sample {
@@ -225,16 +260,27 @@ impl<R: Real> Bxdf<R> for RoughDielectric<R> {
         })
     }
 
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
+    }
+
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        match index {
-            0 => self.value_of(self.mirror(wo, wi)),
-            1 => self.value_of(self.refractor(wo, wi)),
-            _ => Spectrum::black(),
-        }
+        self.value_of(self.facet_of(index, wo, wi))
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.facet_of(index, wo, wi).map_or(R::zero(), |facet| {
+            let pdf = self.distribution.reflection_pdf(facet.wo, facet.wh);
+            (facet.stretch * pdf).saturated()
+        })
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        self.draw(wo, u, |_| index == 0)
     }
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
-        let facet = self.mirror(wo, wi).or_else(|| self.refractor(wo, wi))?;
+        let facet = self.facet(wo, wi)?;
         Some(Microfacet {
             d: self.distribution.d(facet.wh),
             g: self.distribution.g2(facet.wo, facet.wi, self.masking),

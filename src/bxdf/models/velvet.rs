@@ -19,7 +19,7 @@ use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::half_vector;
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{both_above, sample_reflection};
+use crate::bxdf::{both_above, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -111,6 +111,18 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
         sample_reflection(self, wo, |wo| {
             Some(warp::mixed_hemisphere(Self::cosine_share(wo.z), uc, u))
         })
+    }
+
+    fn lobes(&self) -> &'static [Lobe] {
+        SPEC.lobes
+    }
+
+    fn lobe_pdf(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        both_above(wo, wi).map_or(R::zero(), |_| warp::uniform_hemisphere_pdf())
+    }
+
+    fn sample_lobe(&self, _index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        reflected_direction(wo, |_| Some(warp::uniform_hemisphere(u)))
     }
 }
 

@@ -172,9 +172,23 @@ pub fn conductor<R: Real>(cos_i: R, n: R, k: R) -> R {
 /// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15, `doi:10.1111/1467-8659.1330233`
 #[inline(always)]
 pub fn schlick<R: Real>(cos_i: R, f0: R) -> R {
+    f0 + (R::one() - f0) * schlick_weight(cos_i)
+}
+
+/// The weight (1 - c)^5 of [`schlick`], for `cos_i` clamped to 0..1.
+#[inline(always)]
+pub fn schlick_weight<R: Real>(cos_i: R) -> R {
     let m = (R::one() - cos_i).max(R::zero()).min(R::one());
     let m2 = m * m;
-    f0 + (R::one() - f0) * (m2 * m2 * m)
+    m2 * m2 * m
+}
+
+/// 1 - (1 - c)^5 for `cos_i` in 0..1, without cancellation: c times the geometric sum of the powers of 1 - c.
+#[inline(always)]
+pub fn schlick_rest<R: Real>(cos_i: R) -> R {
+    let m = (R::one() - cos_i).max(R::zero()).min(R::one());
+    let m2 = m * m;
+    cos_i * (R::one() + m + m2 + m2 * m + m2 * m2)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! f32 and f64 against the reference precision, at moderate conditions.
+//! f32 and f64 against the reference precision.
 
 use glam::DVec3;
 use xprec::Df64;
@@ -10,15 +10,9 @@ use super::{LawId, Plan, Tallies};
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::{Real, Vec3};
 
-/// Cosines from which a direction counts as moderate: 80 degrees from n.
-const SMALLEST_COSINE: f64 = 0.17;
-
-/// Both precisions keep the stability law where neither direction grazes.
+/// Both precisions keep the stability law, at grazing directions too.
 pub(super) fn precision(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     for (wo, wi) in pairs(subject, plan, 81) {
-        if wo.z.abs() < SMALLEST_COSINE || wi.z.abs() < SMALLEST_COSINE {
-            continue;
-        }
         let models = (&*subject.single, &*subject.reference_of_single);
         compare::<f32>(subject, models, (wo, wi), tallies);
         let models = (&*subject.double, &*subject.reference);

@@ -6,7 +6,7 @@ use super::cells::{CellIntegral, Partition};
 use super::statistics::{Random, chi_square, relative_difference, sidak};
 use super::subject::Subject;
 use super::sweep::directions;
-use super::{LawId, Plan, Tallies, energy};
+use super::{LawId, Plan, Tallies, energy, lobes};
 use crate::bxdf::math::Vec3;
 use crate::bxdf::{Deltas, Sample};
 
@@ -71,6 +71,7 @@ pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
         let total = CellIntegral::sum(&integrals);
         means(subject, wo, plan, &total, &mut random, tallies);
         let [_, _, _, _, back @ ..] = total.value;
+        lobes::integrals(subject, wo, (back, total.error), tallies);
         energy::energy(subject, wo, (back, total.error), tallies);
     }
 }
