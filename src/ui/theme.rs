@@ -17,6 +17,12 @@ pub const SIDE_WIDTH: f32 = 292.0;
 pub const SCROLL_ROOM: f32 = 12.0;
 /// The width of a drop-down, in points.
 pub const COMBO_WIDTH: f32 = 118.0;
+/// The width of the number beside a slider, in points.
+pub const NUMBER_WIDTH: f32 = 52.0;
+/// The width of the reset button at the end of a row, in points.
+pub const RESET_WIDTH: f32 = 18.0;
+/// The least width of a slider, in points.
+pub const SHORTEST_SLIDER: f32 = 40.0;
 /// Width of the curve of a lobe.
 pub const CURVE_WIDTH: f32 = 2.0;
 /// Radius of a handle that can be dragged.

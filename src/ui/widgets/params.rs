@@ -12,6 +12,10 @@ const CHANNELS: [&str; 3] = ["R", "G", "B"];
 /// The parameters of `material`; those without effect at present are left out.
 pub fn show(ui: &mut Ui, material: &mut Material) {
     let params = material.params().clone();
+    let sliders = params
+        .iter()
+        .filter(|(spec, _)| params.is_relevant(spec) && !spec.is_colour());
+    ui.spacing_mut().slider_width = slider_width(ui, sliders.flat_map(|(spec, _)| labels(spec)));
     for (spec, value) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
         let mut edited = value;
         ui.push_id((material.model().id, spec.name), |ui| {
@@ -56,8 +60,8 @@ fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value) {
             }
             Value::Rgb(rgb) => {
                 ui.vertical(|ui| {
-                    for (channel, name) in rgb.iter_mut().zip(CHANNELS) {
-                        slider(ui, spec, &format!("{} {name}", spec.label()), channel);
+                    for (channel, label) in rgb.iter_mut().zip(labels(spec)) {
+                        slider(ui, spec, &label, channel);
                     }
                 });
             }
@@ -116,6 +120,32 @@ fn slider(ui: &mut Ui, spec: &ParamSpec, label: &str, number: &mut f64) {
     // The slider's text has no tooltip of its own: the whole row shows it.
     let row = ui.scope(|ui| ui.add(slider)).response;
     row.on_hover_text(hint(spec));
+}
+
+/// The labels of a parameter's sliders.
+fn labels(spec: &ParamSpec) -> Vec<String> {
+    match spec.kind {
+        Kind::Number => vec![spec.label()],
+        Kind::Rgb => CHANNELS
+            .map(|name| format!("{} {name}", spec.label()))
+            .to_vec(),
+        Kind::Choice | Kind::Bool => Vec::new(),
+    }
+}
+
+/// The usual width, less what the longest label needs to stand beside the number and before the reset button.
+fn slider_width(ui: &Ui, labels: impl Iterator<Item = String>) -> f32 {
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let width = |label| {
+        let text = ui
+            .painter()
+            .layout_no_wrap(label, font.clone(), egui::Color32::PLACEHOLDER);
+        text.size().x
+    };
+    let longest = labels.map(width).fold(0.0, f32::max);
+    let spacing = ui.spacing();
+    let rest = longest + theme::NUMBER_WIDTH + theme::RESET_WIDTH + 3.0 * spacing.item_spacing.x;
+    (ui.available_width() - rest).clamp(theme::SHORTEST_SLIDER, spacing.slider_width)
 }
 
 fn colour(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {

@@ -14,6 +14,8 @@ pub struct Picker {
     search: String,
     /// Materials looked at before: their sliders stand as they were left.
     shelf: Vec<Material>,
+    /// The id of the chosen model the list was last scrolled to.
+    scrolled_to: &'static str,
 }
 
 impl Picker {
@@ -66,11 +68,14 @@ impl Picker {
             "{}\n\n{}\n\nR: reflects, T: transmits",
             model.summary, model.source
         );
-        let is_clicked = ui
+        let row = ui
             .selectable_label(is_chosen, title(model))
-            .on_hover_text(hint)
-            .clicked();
-        if is_clicked && !is_chosen {
+            .on_hover_text(hint);
+        if is_chosen && self.scrolled_to != model.id {
+            self.scrolled_to = model.id;
+            row.scroll_to_me(None);
+        }
+        if row.clicked() && !is_chosen {
             let kept = self
                 .shelf
                 .iter()
