@@ -6,7 +6,6 @@
 use std::time::{Duration, Instant};
 
 use brdf_explorer::Result;
-use brdf_explorer::bxdf::param::Value;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::session::Session;
 use egui_kittest::Harness;
@@ -19,9 +18,8 @@ type Gesture = fn(&mut Session, f64) -> Result<()>;
 
 fn main() -> Result<()> {
     let alpha: Gesture = |session, t| {
-        session
-            .material
-            .set("alpha_x", Value::Number(0.1 + 0.8 * t))
+        session.material = format!("rough_conductor:alpha_x={}", 0.1 + 0.8 * t).parse()?;
+        Ok(())
     };
     let theta: Gesture = |session, t| {
         session.theta_deg = 89.0 * t;

@@ -123,8 +123,8 @@ fn read(file: &str) -> (Material, Vec<Row>) {
 fn smallest_width(material: &Material) -> f64 {
     ["alpha_x", "alpha_y"]
         .into_iter()
-        .filter(|name| material.params().get(name).is_some())
-        .map(|name| material.params().number(name))
+        .filter(|name| material.components()[0].params().get(name).is_some())
+        .map(|name| material.components()[0].params().number(name))
         .fold(1.0, f64::min)
 }
 

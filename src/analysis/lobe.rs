@@ -97,7 +97,7 @@ impl<'a> HeldLobe<'a> {
 
     /// The inner lobes of the surface; see [`Bxdf::lobes`].
     #[must_use]
-    pub fn lobes(&self) -> &'static [Lobe] {
+    pub fn lobes(&self) -> &[Lobe] {
         self.bxdf.lobes()
     }
 

@@ -251,12 +251,12 @@ mod tests {
         let section = section(&lobe, &request);
         // Where the lobe is by its construction, not where the curve has found it.
         let theta = theta_deg.to_radians();
-        let near = if material.model().id == "retro_reflector" {
+        let near = if material.components()[0].model().id == "retro_reflector" {
             theta
         } else {
             -theta
         };
-        let alpha = material.params().number("alpha_x");
+        let alpha = material.components()[0].params().number("alpha_x");
         let width = (10.0 * alpha).clamp(0.01, 1.0).min(FRAC_PI_2 - near.abs());
         (
             section.peak / true_peak(&lobe, &request, near, width),

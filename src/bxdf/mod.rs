@@ -4,7 +4,7 @@
 
 pub mod glossy;
 pub mod material;
-pub mod material_file;
+
 pub mod math;
 pub mod microfacet;
 pub mod models;
@@ -13,7 +13,7 @@ pub mod param;
 pub mod rotated;
 pub mod spec;
 
-pub use material::Material;
+pub use material::{Component, Material};
 pub use spec::{
     Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side,
 };
@@ -41,7 +41,7 @@ pub trait Bxdf<R: Real>: Send + Sync {
 
     /// The lobes that have a value at these parameters, each of which can be evaluated, drawn and integrated by itself
     /// under its index. Dirac deltas are not among them.
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         &[]
     }
 

@@ -60,7 +60,7 @@ impl<R: Real> Bxdf<R> for Rotated<R> {
         })
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         self.inner.lobes()
     }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use xprec::Df64;
 
 use super::Bxdf;
-use super::math::Real;
+use super::math::{Real, Vec3};
 use super::param::{ParamSet, ParamSpec};
 use crate::error::Result;
 
@@ -83,6 +83,16 @@ pub enum Side {
 }
 
 impl Side {
+    /// To which side light goes between `w` and `other`.
+    #[must_use]
+    pub fn between<R: Real>(w: Vec3<R>, other: Vec3<R>) -> Self {
+        if (w.z > R::zero()) == (other.z > R::zero()) {
+            Self::Reflection
+        } else {
+            Self::Transmission
+        }
+    }
+
     /// The word for it in `models --json`.
     #[must_use]
     pub const fn id(self) -> &'static str {

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use xprec::Df64;
 
+use crate::bxdf::Material;
+use crate::bxdf::material;
 use crate::bxdf::math::Real;
-use crate::bxdf::{Material, material_file};
 use crate::error::{Error, Result};
 
 /// The word that stands for standard input or output.
@@ -23,7 +24,7 @@ pub(super) fn material(text: &str) -> Result<Material> {
         return text.parse();
     }
     let file = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
-    material_file::parse(&file, text)
+    material::file::parse(&file, text)
 }
 
 /// A precision, by name.

@@ -296,7 +296,7 @@ mod tests {
         )
         .unwrap();
         assert_eq!(request.session, Some("s.toml".into()));
-        let materials: Vec<String> = request.materials.iter().map(Material::to_string).collect();
+        let materials: Vec<String> = request.materials.iter().map(ToString::to_string).collect();
         assert_eq!(materials, ["oren_nayar:sigma=30", "rough_conductor"]);
         assert_eq!(request.hold, Some(Hold::Viewer));
         assert_eq!(request.direction_deg, Some([60.0, -30.0]));

@@ -8,7 +8,7 @@ use super::session::{Curves, DECADES, Session};
 use super::theme::{self, Palette};
 use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
 use super::widgets::picker::Picker;
-use super::widgets::{directions, params, status};
+use super::widgets::{components, directions, status};
 use crate::analysis::RadialScale;
 
 /// The line that says what to try first.
@@ -71,12 +71,7 @@ impl App {
             .show(ui, |ui| {
                 // The scroll bar must not lie over the reset buttons.
                 ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
-                let model = self.session.material.model();
-                ui.label(RichText::new(model.title).strong())
-                    .on_hover_text(model.source);
-                ui.label(RichText::new(model.summary).small());
-                ui.add_space(2.0);
-                params::show(ui, &mut self.session.material);
+                components::show(ui, &mut self.session.material);
                 ui.add_space(4.0);
             });
     }

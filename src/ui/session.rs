@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::scene3d::OrbitCamera;
 use crate::analysis::{Channel, Hold, RadialScale};
 use crate::bxdf::math::frame;
-use crate::bxdf::{Material, models};
+use crate::bxdf::{Material, Side, models};
 use crate::error::{Error, Result};
 
 /// Which curves the polar plot draws.
@@ -167,7 +167,7 @@ impl Session {
     /// Whether the views show what is below the surface: where light can cross it, or comes from below.
     #[must_use]
     pub fn shows_lower_half(&self) -> bool {
-        self.material.model().transmits() || self.theta_deg > 90.0
+        self.material.has_side(Side::Transmission) || self.theta_deg > 90.0
     }
 
     /// The azimuth of the polar plot's section, in degrees, -90 (excluded) to 90: the half that is drawn to the right.

@@ -125,7 +125,7 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
         Some(sample)
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         self.inner.lobes()
     }
 

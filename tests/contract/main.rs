@@ -10,7 +10,7 @@ mod faulty;
 use std::sync::Mutex;
 
 use brdf_explorer::bxdf::models::MODELS;
-use brdf_explorer::bxdf::{Declaration, Law, Material, ModelSpec, Properties};
+use brdf_explorer::bxdf::{Component, Declaration, Law, Material, ModelSpec, Properties};
 use brdf_explorer::lab::contract::{
     Effort, LawId, LawReport, Limit, Plan, Relation, Status, Subject, Tallies, check,
     check_material, compare,
@@ -72,6 +72,67 @@ fn a_million_samples_agree_with_the_integrals() {
         })
         .collect();
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+}
+
+/// Mixtures of lobes that overlap, lie on both sides, are deltas, blades, needles or faint.
+const MIXTURES: [&[(f64, &str)]; 5] = [
+    &[
+        (0.5, "rough_conductor:alpha_x=.01,alpha_y=.3"),
+        (0.4, "eon:roughness=.7"),
+    ],
+    &[
+        (0.6, "lambertian_reflection"),
+        (0.5, "lambertian_transmission:transmittance=.3"),
+    ],
+    &[
+        (0.3, "fresnel_specular"),
+        (0.4, "rough_dielectric:alpha=.02"),
+        (0.3, "oren_nayar"),
+    ],
+    &[
+        (0.001, "phong:exponent=10000"),
+        (0.2, "retro_reflector:alpha=.05"),
+        (0.7, "velvet"),
+    ],
+    &[
+        (0.5, "specular_reflection"),
+        (0.25, "plastic:alpha=0"),
+        (0.0, "principled"),
+        (0.2, "hapke"),
+    ],
+];
+
+fn mixture(parts: &[(f64, &str)]) -> Material {
+    let component = |(weight, text): &(f64, &str)| {
+        let mut component: Component = text.parse().unwrap();
+        component.set_weight(*weight).unwrap();
+        component
+    };
+    Material::new(parts.iter().map(component).collect()).unwrap()
+}
+
+#[test]
+fn mixtures_keep_every_law() {
+    for parts in MIXTURES {
+        let material = mixture(parts);
+        for report in check_material(&material, Effort::Thorough) {
+            let line = failure_line(&material.to_string(), &report);
+            assert!(report.status.is_pass(), "{line}");
+        }
+    }
+}
+
+#[test]
+fn weights_that_create_energy_are_caught() {
+    let bright = mixture(&[(0.7, "lambertian_reflection:reflectance=1"), (0.7, "eon")]);
+    let reports = check_material(&bright, Effort::Quick);
+    assert_eq!(status_of(&reports, LawId::Energy), Status::Violated);
+    let declared = mixture(&[
+        (0.7, "lambertian_reflection:reflectance=1"),
+        (0.7, "burley_diffuse"),
+    ]);
+    let reports = check_material(&declared, Effort::Quick);
+    assert_eq!(status_of(&reports, LawId::Energy), Status::Declared);
 }
 
 #[test]
@@ -240,7 +301,7 @@ fn a_wrong_limit_is_caught() {
         };
         let [a, b] = [material, becomes].map(|text| {
             let material: Material = text.parse().unwrap();
-            Subject::new(material.model(), material.params())
+            Subject::of_material(&material)
         });
         let mut tallies = Tallies::default();
         compare(&limit, &a, &b, &plan, &mut tallies);

@@ -64,7 +64,7 @@ fn searching_narrows_the_list_and_edits_are_kept() {
     harness.get_by_label("Retro-reflector  (R)").click();
     harness.run();
     assert_eq!(
-        harness.state().session.material.model().id,
+        harness.state().session.material.components()[0].model().id,
         "retro_reflector"
     );
     harness.get_by_label("Search models").click();
@@ -96,7 +96,10 @@ fn every_model_can_be_picked_and_shown() {
         harness.run();
         harness.get_by_label(&title).click();
         harness.run();
-        assert_eq!(harness.state().session.material.model().id, model.id);
+        assert_eq!(
+            harness.state().session.material.components()[0].model().id,
+            model.id
+        );
         let sum: f64 = shares(&harness)
             .split(' ')
             .filter_map(|word| word.parse::<f64>().ok())
@@ -118,13 +121,17 @@ fn a_slider_moves_its_parameter_and_the_read_out_follows() {
         .get_by_role_and_label(Role::Slider, "Alpha x")
         .rect();
     drag(&mut harness, slider.center(), vec2(20.0, 0.0));
-    let alpha = harness.state().session.material.params().number("alpha_x");
+    let alpha = harness.state().session.material.components()[0]
+        .params()
+        .number("alpha_x");
     assert!(alpha > 0.1 && alpha != 0.3, "{alpha}");
     assert_ne!(shares(&harness), before);
     harness.get_by_label("Reset Alpha x").click();
     harness.run();
     assert_eq!(
-        harness.state().session.material.params().number("alpha_x"),
+        harness.state().session.material.components()[0]
+            .params()
+            .number("alpha_x"),
         0.3
     );
     assert_eq!(shares(&harness), before);
@@ -141,7 +148,9 @@ fn a_choice_brings_its_own_parameters() {
     harness.get_by_label("Schlick").click();
     harness.run();
     assert_eq!(
-        harness.state().session.material.params().choice("fresnel"),
+        harness.state().session.material.components()[0]
+            .params()
+            .choice("fresnel"),
         "schlick"
     );
     assert!(

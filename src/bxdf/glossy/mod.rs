@@ -108,7 +108,7 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
         has_density(sample)
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         LOBES
     }
 

@@ -84,7 +84,7 @@ impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 }

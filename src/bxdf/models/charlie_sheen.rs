@@ -165,7 +165,7 @@ impl<R: Real> Bxdf<R> for CharlieSheen<R> {
         sample_reflection(self, wo, |_| Some(warp::uniform_hemisphere(u)))
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 }

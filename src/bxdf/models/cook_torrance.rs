@@ -134,7 +134,7 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
         }))
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 

@@ -114,7 +114,7 @@ impl<R: Real> Bxdf<R> for Eon<R> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 }

@@ -266,7 +266,7 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
         })
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         LOBES
     }
 

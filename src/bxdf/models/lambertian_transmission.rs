@@ -78,7 +78,7 @@ impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
         })
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 }

@@ -90,7 +90,7 @@ impl<R: Real> Bxdf<R> for OrenNayar<R> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 }

@@ -213,7 +213,7 @@ impl<R: Real> Bxdf<R> for Plastic<R> {
         }
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 

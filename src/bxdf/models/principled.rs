@@ -312,7 +312,7 @@ impl<R: Real> Bxdf<R> for Principled<R> {
         })
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 

@@ -82,7 +82,7 @@ impl<R: Real> Bxdf<R> for RetroReflector<R> {
         })
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 }

@@ -305,7 +305,7 @@ impl<R: Real> Bxdf<R> for RoughConductor<R> {
         sample.filter(|sample| sample.pdf > R::zero())
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         match self.compensation {
             Compensation::KullaConty { .. } => COMPENSATED,
             Compensation::None | Compensation::Turquin { .. } => SPEC.lobes,

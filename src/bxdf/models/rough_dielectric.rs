@@ -260,7 +260,7 @@ impl<R: Real> Bxdf<R> for RoughDielectric<R> {
         })
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 

@@ -113,7 +113,7 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
         })
     }
 
-    fn lobes(&self) -> &'static [Lobe] {
+    fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
 

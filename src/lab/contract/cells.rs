@@ -332,7 +332,7 @@ mod tests {
     /// The integral of a material's density at 85 degrees.
     fn density_integral(material: &str) -> CellIntegral {
         let material: Material = material.parse().unwrap();
-        let subject = Subject::new(material.model(), material.params());
+        let subject = Subject::of_material(&material);
         let wo = direction_from_degrees(85.0, -75.0);
         let mut random = Random::new(7);
         let pilots: Vec<DVec3> = (0..2048)

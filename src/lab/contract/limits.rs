@@ -229,7 +229,7 @@ pub(super) fn limits(model: &ModelSpec, plan: &Plan, tallies: &mut Tallies) {
             limit.becomes.parse::<Material>(),
         ) {
             (Ok(a), Ok(b)) => {
-                let subjects = [a, b].map(|m| Subject::new(m.model(), m.params()));
+                let subjects = [a, b].map(|m| Subject::of_material(&m));
                 let [a, b] = &subjects;
                 compare(limit, a, b, plan, tallies);
             }

@@ -5,7 +5,7 @@ use xprec::Df64;
 
 use crate::bxdf::math::frame;
 use crate::bxdf::param::{ParamSet, ParamSpec, Value};
-use crate::bxdf::{Bxdf, Category, Lobe, ModelSpec, Side};
+use crate::bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
 
 /// A model at one set of parameters, built in every precision, with what is declared of it.
 pub struct Subject {
@@ -21,8 +21,8 @@ pub struct Subject {
     pub reference_of_single: Box<dyn Bxdf<Df64>>,
     /// The same model at parameters nearby, to measure how much a parameter's rounding matters.
     pub neighbours: Vec<Neighbour>,
-    /// The lobes it says it has.
-    pub lobes: &'static [Lobe],
+    /// The lobes its models say they have.
+    pub lobes: Vec<Lobe>,
     /// The index below the surface over the one above.
     pub relative_index: f64,
     /// Whether it is declared isotropic.
@@ -52,10 +52,57 @@ impl Subject {
             double: model.build(params),
             reference: model.build(params),
             reference_of_single: model.build(&rounded_to_single(params)),
-            neighbours: neighbours(model, params),
-            lobes: model.lobes,
+            neighbours: neighbours(params, |moved| {
+                (model.validate)(moved).ok()?;
+                Some(model.build(moved))
+            }),
+            lobes: model.lobes.to_vec(),
             relative_index: (model.properties.relative_index)(params),
             is_isotropic: (model.properties.is_isotropic)(params),
+        }
+    }
+
+    /// `material`, all its components together.
+    #[must_use]
+    pub fn of_material(material: &Material) -> Self {
+        let components = material.components();
+        let with = |index: usize, params: &ParamSet| {
+            let mut moved = components.to_vec();
+            moved.get_mut(index)?.set_all(params).ok()?;
+            material.with_components(moved).ok()
+        };
+        let mut rounded = material.clone();
+        for (index, component) in components.iter().enumerate() {
+            let mut single = rounded.components().to_vec();
+            if let Some(slot) = single.get_mut(index)
+                && slot.set_all(&rounded_to_single(component.params())).is_ok()
+                && let Ok(other) = rounded.with_components(single)
+            {
+                rounded = other;
+            }
+        }
+        Self {
+            name: material.to_string(),
+            single: material.build(),
+            double: material.build(),
+            reference: material.build(),
+            reference_of_single: rounded.build(),
+            neighbours: components
+                .iter()
+                .enumerate()
+                .flat_map(|(index, component)| {
+                    neighbours(component.params(), |moved| {
+                        Some(with(index, moved)?.build())
+                    })
+                })
+                .collect(),
+            lobes: components
+                .iter()
+                .flat_map(|component| component.model().lobes)
+                .copied()
+                .collect(),
+            relative_index: material.relative_index(),
+            is_isotropic: material.is_isotropic(),
         }
     }
 
@@ -123,18 +170,22 @@ fn rounded_to_single(params: &ParamSet) -> ParamSet {
     rounded
 }
 
-/// The neighbours of `params` along each numeric parameter that has an effect.
-fn neighbours(model: &ModelSpec, params: &ParamSet) -> Vec<Neighbour> {
+/// The neighbours of `params` along each numeric parameter that has an effect; `build` gives what stands at other
+/// parameters, if they are allowed.
+fn neighbours(
+    params: &ParamSet,
+    build: impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<f64>>>,
+) -> Vec<Neighbour> {
     params
         .iter()
         .filter(|(spec, _)| params.is_relevant(spec))
-        .filter_map(|(spec, value)| neighbour(model, params, spec, value))
+        .filter_map(|(spec, value)| neighbour(params, &build, spec, value))
         .collect()
 }
 
 fn neighbour(
-    model: &ModelSpec,
     params: &ParamSet,
+    build: &impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<f64>>>,
     spec: &ParamSpec,
     value: Value,
 ) -> Option<Neighbour> {
@@ -146,21 +197,20 @@ fn neighbour(
         };
         let mut moved = params.clone();
         moved.set(spec.name, value).ok()?;
-        (model.validate)(&moved).ok()?;
-        Some(model.build(&moved))
+        build(&moved)
     };
-    let unmoved = || model.build(params);
+    let unmoved = || build(params);
     match (scaled(1.0 + RELATIVE_STEP), scaled(1.0 - RELATIVE_STEP)) {
         (Some(up), Some(down)) => Some(Neighbour {
             pair: [up, down],
             relative_step: 2.0 * RELATIVE_STEP,
         }),
         (Some(up), None) => Some(Neighbour {
-            pair: [up, unmoved()],
+            pair: [up, unmoved()?],
             relative_step: RELATIVE_STEP,
         }),
         (None, Some(down)) => Some(Neighbour {
-            pair: [unmoved(), down],
+            pair: [unmoved()?, down],
             relative_step: RELATIVE_STEP,
         }),
         (None, None) => None,

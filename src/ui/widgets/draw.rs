@@ -124,7 +124,7 @@ pub fn cursor_text(cursor: &Cursor, session: &Session) -> String {
         format::degrees(cursor.theta_deg),
         format::degrees(cursor.phi_deg)
     );
-    if session.material.model().is_delta_only() {
+    if session.material.is_delta_only() {
         return format!("{angles}  f 0, all light is in the deltas");
     }
     let quantity = if session.with_cosine { "f cos θ" } else { "f" };

@@ -2,39 +2,39 @@
 
 use egui::{ComboBox, DragValue, Slider, Ui};
 
-use crate::bxdf::Material;
+use crate::bxdf::Component;
 use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
 use crate::ui::theme;
 
 /// The names of the channels.
 const CHANNELS: [&str; 3] = ["R", "G", "B"];
 
-/// The parameters of `material`; those without effect at present are left out.
-pub fn show(ui: &mut Ui, material: &mut Material) {
-    let params = material.params().clone();
+/// The parameters of `component`; those without effect at present are left out.
+pub fn show(ui: &mut Ui, component: &mut Component) {
+    let params = component.params().clone();
     let sliders = params
         .iter()
         .filter(|(spec, _)| params.is_relevant(spec) && !spec.is_colour());
     ui.spacing_mut().slider_width = slider_width(ui, sliders.flat_map(|(spec, _)| labels(spec)));
     for (spec, value) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
         let mut edited = value;
-        ui.push_id((material.model().id, spec.name), |ui| {
+        ui.push_id((component.model().id, spec.name), |ui| {
             row(ui, spec, &mut edited);
         });
         if edited != value {
-            set(material, spec, edited);
+            set(component, spec, edited);
         }
     }
 }
 
 /// Sets a parameter. Where the model refuses a choice because of the parameters it brings into play, these start from
-/// their defaults; any other refused combination leaves the material as it was, and the slider springs back.
-fn set(material: &mut Material, spec: &ParamSpec, value: Value) {
-    if material.set(spec.name, value).is_ok() {
+/// their defaults; any other refused combination leaves the component as it was, and the slider springs back.
+fn set(component: &mut Component, spec: &ParamSpec, value: Value) {
+    if component.set(spec.name, value).is_ok() {
         return;
     }
-    let mut reset = material.clone();
-    for other in material.model().parameters {
+    let mut reset = component.clone();
+    for other in component.model().parameters {
         let is_brought = other
             .relevant_when
             .is_some_and(|(name, _)| name == spec.name);
@@ -43,7 +43,7 @@ fn set(material: &mut Material, spec: &ParamSpec, value: Value) {
         }
     }
     if reset.set(spec.name, value).is_ok() {
-        *material = reset;
+        *component = reset;
     }
 }
 
@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn a_choice_that_its_parameters_forbid_resets_them() {
-        let mut mirror: Material = "specular_reflection:fresnel=conductor,eta=0.143,k=4"
+        let mut mirror: Component = "specular_reflection:fresnel=conductor,eta=0.143,k=4"
             .parse()
             .unwrap();
         let fresnel = &mirror.model().parameters[0];

@@ -63,7 +63,9 @@ impl Picker {
     }
 
     fn row(&mut self, ui: &mut Ui, model: &'static ModelSpec, material: &mut Material) {
-        let is_chosen = model.id == material.model().id;
+        let is_chosen = material
+            .only()
+            .is_some_and(|only| only.model().id == model.id);
         let hint = format!(
             "{}\n\n{}\n\nR: reflects, T: transmits",
             model.summary, model.source
@@ -79,7 +81,7 @@ impl Picker {
             let kept = self
                 .shelf
                 .iter()
-                .position(|kept| kept.model().id == model.id);
+                .position(|kept| kept.only().is_some_and(|only| only.model().id == model.id));
             let next = kept.map_or_else(
                 || Material::of(model),
                 |index| self.shelf.swap_remove(index),

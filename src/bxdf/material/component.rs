@@ -1,29 +1,53 @@
-//! A model with its parameters, and its text form `id:name=value,name=value`.
+//! A model at its parameters, with its weight in a material; its text form is `id:name=value,name=value`.
 
 use std::fmt;
 use std::str::FromStr;
 
-use super::param::{ParamSet, Value};
-use super::spec::{ModelSpec, Precision};
-use super::{Bxdf, models};
+use crate::bxdf::param::{ParamSet, Value};
+use crate::bxdf::spec::{ModelSpec, Precision};
+use crate::bxdf::{Bxdf, models};
 use crate::error::{Error, Result};
 
-/// A model of the catalogue at validated parameters.
-#[derive(Clone, serde::Serialize, serde::Deserialize)]
-#[serde(into = "String", try_from = "String")]
-pub struct Material {
+/// A model of the catalogue at validated parameters, and the factor with which a material takes it.
+#[derive(Clone)]
+pub struct Component {
     model: &'static ModelSpec,
     params: ParamSet,
+    weight: f64,
 }
 
-impl Material {
+impl Component {
     /// `model` at its default parameters.
     #[must_use]
     pub fn of(model: &'static ModelSpec) -> Self {
         Self {
             model,
             params: model.defaults(),
+            weight: 1.0,
         }
+    }
+
+    /// The factor on its value, at least 0; 1 at first.
+    #[must_use]
+    pub fn weight(&self) -> f64 {
+        self.weight
+    }
+
+    /// Sets the factor on its value.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] unless it is a finite number and not below 0; the component is then unchanged.
+    pub fn set_weight(&mut self, weight: f64) -> Result<()> {
+        if !(weight >= 0.0 && weight.is_finite()) {
+            return Err(Error::Parameter {
+                model: self.model.id.to_owned(),
+                name: "weight".to_owned(),
+                value: weight.to_string(),
+                allowed: "allowed is a number not below 0".to_owned(),
+            });
+        }
+        self.weight = weight;
+        Ok(())
     }
 
     /// The model.
@@ -41,7 +65,7 @@ impl Material {
     /// Sets a parameter.
     ///
     /// # Errors
-    /// As [`ParamSet::set`], and where the model refuses the combination; the material is then unchanged.
+    /// As [`ParamSet::set`], and where the model refuses the combination; the component is then unchanged.
     pub fn set(&mut self, name: &str, value: Value) -> Result<()> {
         self.change(|params| params.set(name, value))
     }
@@ -49,9 +73,20 @@ impl Material {
     /// Sets a parameter from its text.
     ///
     /// # Errors
-    /// As [`ParamSet::set_text`], and where the model refuses the combination; the material is then unchanged.
+    /// As [`ParamSet::set_text`], and where the model refuses the combination; the component is then unchanged.
     pub fn set_text(&mut self, name: &str, text: &str) -> Result<()> {
         self.change(|params| params.set_text(name, text))
+    }
+
+    /// Sets all parameters at once.
+    ///
+    /// # Errors
+    /// Where the model refuses the combination; the component is then unchanged.
+    pub fn set_all(&mut self, params: &ParamSet) -> Result<()> {
+        self.change(|own| {
+            own.clone_from(params);
+            Ok(())
+        })
     }
 
     fn change(&mut self, change: impl FnOnce(&mut ParamSet) -> Result<()>) -> Result<()> {
@@ -62,7 +97,7 @@ impl Material {
         Ok(())
     }
 
-    /// The material as a scattering function in precision `R`.
+    /// The model at its parameters as a scattering function in precision `R`, without the weight.
     #[must_use]
     pub fn build<R: Precision>(&self) -> Box<dyn Bxdf<R>> {
         self.model.build(&self.params)
@@ -81,19 +116,19 @@ impl Material {
     }
 }
 
-impl PartialEq for Material {
+impl PartialEq for Component {
     fn eq(&self, other: &Self) -> bool {
-        self.params == other.params
+        self.params == other.params && self.weight == other.weight
     }
 }
 
-impl fmt::Debug for Material {
+impl fmt::Debug for Component {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{self}")
+        write!(f, "{} * {self}", self.weight)
     }
 }
 
-impl fmt::Display for Material {
+impl fmt::Display for Component {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let params = self.params.to_string();
         let colon = if params.is_empty() { "" } else { ":" };
@@ -101,24 +136,10 @@ impl fmt::Display for Material {
     }
 }
 
-impl From<Material> for String {
-    fn from(material: Material) -> Self {
-        material.to_string()
-    }
-}
-
-impl TryFrom<String> for Material {
-    type Error = Error;
-
-    fn try_from(text: String) -> Result<Self> {
-        text.parse()
-    }
-}
-
-impl FromStr for Material {
+impl FromStr for Component {
     type Err = Error;
 
-    /// Reads `id` or `id:name=value,name=value`; all parameters together must be allowed, their order does not matter.
+    /// Reads `id` or `id:name=value,name=value`, weight 1; all parameters together must be allowed, their order does not matter.
     fn from_str(text: &str) -> Result<Self> {
         let (id, assignments) = text.split_once(':').unwrap_or((text, ""));
         let model = models::find(id.trim())?;
@@ -146,7 +167,11 @@ impl FromStr for Material {
             params.set_text(name, value.trim())?;
         }
         (model.validate)(&params)?;
-        Ok(Self { model, params })
+        Ok(Self {
+            model,
+            params,
+            weight: 1.0,
+        })
     }
 }
 
@@ -160,9 +185,9 @@ mod tests {
             "lambertian_reflection",
             "rough_conductor:eta=0.2/0.9/1.1,k=3.9/2.4/2.2,alpha_x=0.05,alpha_y=0.4",
         ] {
-            assert_eq!(text.parse::<Material>().unwrap().to_string(), text);
+            assert_eq!(text.parse::<Component>().unwrap().to_string(), text);
         }
-        let spaced: Material = " oren_nayar : sigma = 30 , reflectance = .5"
+        let spaced: Component = " oren_nayar : sigma = 30 , reflectance = .5"
             .parse()
             .unwrap();
         assert_eq!(spaced.to_string(), "oren_nayar:reflectance=0.5,sigma=30");
@@ -177,7 +202,7 @@ mod tests {
             ("oren_nayar:sigma=91", "from 0 to 90 degrees"),
             ("rough_conductor:eta=0,k=0", "eta and k may not both be 0"),
         ] {
-            let line = text.parse::<Material>().unwrap_err().to_string();
+            let line = text.parse::<Component>().unwrap_err().to_string();
             assert!(line.contains(expected) && !line.contains('\n'), "{line}");
         }
     }
