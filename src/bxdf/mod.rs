@@ -2,6 +2,7 @@
 //!
 //! The conventions (frame, directions, units, deltas) are those of the crate documentation.
 
+pub mod batch;
 pub mod glossy;
 pub mod material;
 
@@ -18,6 +19,7 @@ pub use spec::{
     Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side,
 };
 
+use batch::{Job, Path};
 use math::{Real, Vec3};
 use optics::Spectrum;
 
@@ -48,6 +50,7 @@ pub trait Bxdf<R: Real>: Send + Sync {
     /// The part of `f` that belongs to the lobe at `index` of [`Self::lobes`], in 1/sr; the parts sum to `f`.
     ///
     /// Models with one lobe need not say more than `f`. `index` must be within [`Self::lobes`].
+    #[inline(always)]
     fn lobe_f(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.f(wo, wi)
     }
@@ -55,12 +58,14 @@ pub trait Bxdf<R: Real>: Send + Sync {
     /// The density per solid angle of [`Self::sample_lobe`], in 1/sr.
     ///
     /// Models whose `sample_f` needs no choice need not say more than `pdf`.
+    #[inline(always)]
     fn lobe_pdf(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
         self.pdf(wo, wi)
     }
 
     /// A direction of incidence for `wo` that follows the lobe at `index` alone: a smooth map of the unit square, so that
     /// integrals over the lobe are integrals over `u`. `None` where the direction drawn is lost.
+    #[inline(always)]
     fn sample_lobe(&self, _index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         Some(self.sample_f(wo, R::zero(), u)?.wi)
     }
@@ -69,6 +74,12 @@ pub trait Bxdf<R: Real>: Send + Sync {
     /// half vector.
     fn microfacet(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Option<Microfacet<R>> {
         None
+    }
+
+    /// Computes `job` for a whole batch: the same results, element by element, in one call.
+    #[inline(always)]
+    fn batch(&self, path: Path, job: Job<'_, R>) {
+        batch::run(self, path, job);
     }
 
     /// The Dirac delta lobes of `w`, at most one to either side; none for most models.
@@ -103,6 +114,7 @@ pub struct Sample<R> {
 
 impl<R: Real> Sample<R> {
     /// f |cos(theta_i)| / pdf: what a path's throughput is multiplied by.
+    #[inline(always)]
     pub fn weight(&self) -> Spectrum<R> {
         self.f * (self.wi.z.abs() / self.pdf)
     }
@@ -129,6 +141,7 @@ pub type Deltas<R> = [Option<Delta<R>>; 2];
 
 impl<R: Real> Delta<R> {
     /// The sample that stands for this delta.
+    #[inline(always)]
     pub fn sample(&self) -> Sample<R> {
         let cos = self.direction.z.abs().max(R::min_positive_value());
         Sample {
@@ -142,6 +155,7 @@ impl<R: Real> Delta<R> {
 
 /// The sample of one of `deltas`, chosen by `uc` with their probabilities. `None` where they leave a rest and `uc`
 /// falls into it.
+#[inline(always)]
 pub fn sample_deltas<R: Real>(deltas: Deltas<R>, uc: R) -> Option<Sample<R>> {
     let mut rest = uc;
     for delta in deltas.into_iter().flatten() {

@@ -82,7 +82,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<bool> {
 }
 
 /// The kind of machine the check ran on; the results do not depend on it, the time does.
-fn machine() -> String {
+pub(super) fn machine() -> String {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     format!(
         "{} {}, {threads} threads",

@@ -5,6 +5,7 @@
 
 mod albedo;
 mod args;
+mod bench;
 mod check;
 mod eval;
 mod input;
@@ -55,6 +56,8 @@ enum Verb {
     Albedo(albedo::Arguments),
     /// Check the laws a model should keep
     Check(check::Arguments),
+    /// Measure how fast the models are on this machine
+    Bench(bench::Arguments),
     /// Render the window into a picture
     #[cfg(feature = "gui")]
     Render(render::Arguments),
@@ -106,6 +109,7 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
         Some(Verb::Eval(arguments)) => eval::run(&arguments)?,
         Some(Verb::Sample(arguments)) => sample::run(&arguments)?,
         Some(Verb::Albedo(arguments)) => albedo::run(&arguments)?,
+        Some(Verb::Bench(arguments)) => bench::run(&arguments)?,
         Some(Verb::Check(arguments)) => {
             if !check::run(&arguments)? {
                 return Ok(ExitCode::from(CHECK_FAILED));

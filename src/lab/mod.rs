@@ -1,3 +1,4 @@
 //! Instruments: what holds of a model, and how exactly.
 
 pub mod contract;
+pub mod speed;

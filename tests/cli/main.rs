@@ -7,6 +7,7 @@
 )]
 
 mod albedo;
+mod bench;
 mod eval;
 mod sample;
 

@@ -2,6 +2,7 @@
 
 use super::cosine_power::azimuth;
 use crate::bxdf::math::{Real, Vec3};
+use crate::bxdf::microfacet::Normals;
 use crate::bxdf::microfacet::beckmann::Beckmann;
 
 /// Slopes of density exp(-(x/`alpha_x`)^2 - (y/`alpha_y`)^2) / (pi `alpha_x` `alpha_y`).

@@ -82,20 +82,25 @@ pub fn reflected<R: Real>(w: Vec3<R>, wh: Vec3<R>) -> Vec3<R> {
 pub struct Mixture<M>(pub M);
 
 impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| {
-            (self.0.glossy(wo, wi) + self.0.diffuse(wo, wi)).map(Real::saturated)
-        })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        (self.0.glossy(wo, wi) + self.0.diffuse(wo, wi)).saturated()
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| {
-            let [glossy, diffuse] = self.0.shares(wo);
-            (glossy * self.0.glossy_pdf(wo, wi) + diffuse * warp::cosine_hemisphere_pdf(wi.z))
-                .saturated()
-        })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        let [glossy, diffuse] = self.0.shares(wo);
+        (glossy * self.0.glossy_pdf(wo, wi) + diffuse * warp::cosine_hemisphere_pdf(wi.z))
+            .saturated()
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         let sample = sample_reflection(self, wo, |wo| {
             let [glossy, _] = self.0.shares(wo);
@@ -112,20 +117,29 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
         LOBES
     }
 
+    #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| match index {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        match index {
             0 => self.0.glossy(wo, wi),
             _ => self.0.diffuse(wo, wi),
-        })
+        }
     }
 
+    #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        match index {
             0 => self.0.glossy_pdf(wo, wi),
             _ => warp::cosine_hemisphere_pdf(wi.z),
-        })
+        }
     }
 
+    #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         reflected_direction(wo, |wo| match index {
             0 => self.0.sample_glossy(wo, u),

@@ -1,6 +1,7 @@
 //! Numbers, vectors, frames and warps: generic over the precision, free of optics.
 
 pub mod frame;
+pub mod quadrature;
 pub mod real;
 pub mod special;
 pub mod vec3;

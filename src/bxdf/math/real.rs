@@ -19,6 +19,9 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     /// Unit round-off: the largest relative error of one rounded operation.
     const UNIT_ROUNDOFF: f64;
 
+    /// Whether loops over it can be compiled for wide registers.
+    const VECTORISES: bool;
+
     /// The value of this type nearest to `x`.
     fn of(x: f64) -> Self;
 
@@ -68,6 +71,7 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
 
 impl Real for f32 {
     const NAME: &'static str = "f32";
+    const VECTORISES: bool = true;
     const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 
     #[inline(always)]
@@ -93,6 +97,7 @@ impl Real for f32 {
 
 impl Real for f64 {
     const NAME: &'static str = "f64";
+    const VECTORISES: bool = true;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
     #[inline(always)]
@@ -118,6 +123,7 @@ impl Real for f64 {
 
 impl Real for Df64 {
     const NAME: &'static str = "reference";
+    const VECTORISES: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
     #[inline(always)]

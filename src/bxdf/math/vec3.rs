@@ -117,12 +117,14 @@ impl<R: Real> Mul<R> for Vec3<R> {
 }
 
 impl<R: Real> From<DVec3> for Vec3<R> {
+    #[inline(always)]
     fn from(v: DVec3) -> Self {
         Self::new(R::of(v.x), R::of(v.y), R::of(v.z))
     }
 }
 
 impl<R: Real> From<Vec3<R>> for DVec3 {
+    #[inline(always)]
     fn from(v: Vec3<R>) -> Self {
         Self::new(v.x.as_f64(), v.y.as_f64(), v.z.as_f64())
     }

@@ -9,6 +9,7 @@
 //! density agree. With A = cot(theta) / alpha and s = sqrt(alpha_x^2 x^2 + alpha_y^2 y^2), so that A = z / s,
 //! z (1 + 2 Lambda) = z erf(A) + s exp(-A^2) / sqrt(pi): a sum of positive terms, no tangent, nothing cancels.
 
+use super::{Masked, Normals};
 use crate::bxdf::math::{Real, Vec3};
 
 /// Below this cos^2 the exponent of D is beyond 1 / 1e-3 - 1 = 999 for every width to 1: exp underflows to 0 in every
@@ -38,29 +39,11 @@ impl<R: Real> Beckmann<R> {
         Self { alpha_x, alpha_y }
     }
 
-    /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides. It may underflow to 0.
-    #[inline(always)]
-    pub fn d(&self, wh: Vec3<R>) -> R {
-        let z2 = wh.z * wh.z;
-        let safe_z2 = z2.max(R::of(SMALLEST_COS_SQUARED));
-        let (x, y) = (wh.x / self.alpha_x, wh.y / self.alpha_y);
-        let density = (-(x * x + y * y) / safe_z2).exp()
-            / (R::PI() * (self.alpha_x * self.alpha_y) * (safe_z2 * safe_z2));
-        if z2 < safe_z2 { R::zero() } else { density }
-    }
-
     /// |z| (1 + 2 Lambda(w)): what `Ggx::stretched_length` is for GGX.
     #[inline(always)]
     pub fn masking_length(&self, w: Vec3<R>) -> R {
         let (z, s, a) = self.z_s_a(w);
         z * a.erf() + s * (-(a * a)).exp() * R::FRAC_2_SQRT_PI() * R::of(0.5)
-    }
-
-    /// 2 |z| Lambda(w): [`Self::masking_length`] less |z|, without their difference.
-    pub fn masking_excess(&self, w: Vec3<R>) -> R {
-        let (z, s, a) = self.z_s_a(w);
-        let excess = s * (-(a * a)).exp() * R::FRAC_2_SQRT_PI() * R::of(0.5) - z * a.erfc();
-        excess.max(R::zero())
     }
 
     #[inline(always)]
@@ -71,10 +54,40 @@ impl<R: Real> Beckmann<R> {
         let a = if largest * s > z { z / s } else { largest };
         (z, s, a)
     }
+}
+
+impl<R: Real> Normals<R> for Beckmann<R> {
+    /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides. It may underflow to 0.
+    #[inline(always)]
+    fn d(&self, wh: Vec3<R>) -> R {
+        let z2 = wh.z * wh.z;
+        let safe_z2 = z2.max(R::of(SMALLEST_COS_SQUARED));
+        let (x, y) = (wh.x / self.alpha_x, wh.y / self.alpha_y);
+        let density = (-(x * x + y * y) / safe_z2).exp()
+            / (R::PI() * (self.alpha_x * self.alpha_y) * (safe_z2 * safe_z2));
+        if z2 < safe_z2 { R::zero() } else { density }
+    }
+
+    #[inline(always)]
+    fn masked(&self, w: Vec3<R>) -> Masked<R> {
+        Masked {
+            mu: w.z.abs(),
+            t: self.masking_length(w),
+        }
+    }
+
+    /// 2 |z| Lambda(w): [`Self::masking_length`] less |z|, without their difference.
+    #[inline(always)]
+    fn masking_excess(&self, w: Vec3<R>) -> R {
+        let (z, s, a) = self.z_s_a(w);
+        let excess = s * (-(a * a)).exp() * R::FRAC_2_SQRT_PI() * R::of(0.5) - z * a.erfc();
+        excess.max(R::zero())
+    }
 
     /// A visible normal of `wo` (on the upper side): visible slopes of the surface stretched to unit width, turned to
     /// the azimuth of `wo` and stretched back.
-    pub fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+    #[inline(always)]
+    fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         let (v, _) = Vec3::new(self.alpha_x * wo.x, self.alpha_y * wo.y, wo.z).unit_and_length()?;
         let sin = (v.x * v.x + v.y * v.y).sqrt();
         let (cos_phi, sin_phi) = if sin > R::zero() {
@@ -98,6 +111,7 @@ impl<R: Real> Beckmann<R> {
 /// away. C(x) = u C(cot) is solved by Newton's method inside a bracket that shrinks at every step: C is flat in the tail
 /// and at the upper end, where a bare Newton step leaves the range. The first guess is made in erf(x), in which C is
 /// nearly straight.
+#[inline(always)]
 fn visible_slope<R: Real>(cos: R, sin: R, u: R) -> R {
     let largest = R::of(LARGEST_SLOPE);
     let cumulative =
@@ -138,6 +152,7 @@ fn visible_slope<R: Real>(cos: R, sin: R, u: R) -> R {
 }
 
 /// A visible slope to about 1 %: Jakob's fit of erf(x), and Winitzki's elementary inverse of erf.
+#[inline(always)]
 fn first_guess(cos: f64, sin: f64, u: f64) -> f64 {
     /// The coefficients of Jakob 2014, in the polar angle.
     const FIT: [f64; 3] = [-0.876, 0.4265, -0.0594];

@@ -1,4 +1,4 @@
-//! The normal distributions that models offer as a choice.
+//! What every distribution of microfacet normals offers, and the choice among them.
 
 use super::beckmann::Beckmann;
 use super::ggx::Ggx;
@@ -43,26 +43,6 @@ impl<R: Real> Distribution<R> {
         }
     }
 
-    /// The density of microfacet normals at the unit normal `wh`, in 1/sr.
-    #[inline(always)]
-    pub fn d(&self, wh: Vec3<R>) -> R {
-        match self {
-            Self::Ggx(ggx) => ggx.d(wh),
-            Self::Beckmann(beckmann) => beckmann.d(wh),
-        }
-    }
-
-    #[inline(always)]
-    fn masked(&self, w: Vec3<R>) -> Masked<R> {
-        match self {
-            Self::Ggx(ggx) => ggx.masked(w),
-            Self::Beckmann(beckmann) => Masked {
-                mu: w.z.abs(),
-                t: beckmann.masking_length(w),
-            },
-        }
-    }
-
     /// 2 |cos| Lambda(w), without cancellation.
     pub(super) fn masking_excess(&self, w: Vec3<R>) -> R {
         match self {
@@ -70,38 +50,51 @@ impl<R: Real> Distribution<R> {
             Self::Beckmann(beckmann) => beckmann.masking_excess(w),
         }
     }
+}
+
+/// A distribution of microfacet normals with its masking: what the microfacet models are written over, so that each is
+/// compiled for each distribution and its loops carry no choice.
+pub trait Normals<R: Real>: Copy + Send + Sync + 'static {
+    /// The density of microfacet normals at the unit normal `wh`, in 1/sr.
+    fn d(&self, wh: Vec3<R>) -> R;
+
+    /// What masks `w`.
+    fn masked(&self, w: Vec3<R>) -> Masked<R>;
+
+    /// 2 |cos| Lambda(w), without cancellation.
+    fn masking_excess(&self, w: Vec3<R>) -> R;
+
+    /// A visible normal of `wo` (on the upper side).
+    fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>>;
 
     /// D(wh) G2 / (4 mu_o mu_i), whether the directions lie on one side or on two: the reflected lobe less its Fresnel
     /// factor. Saturates.
     #[inline(always)]
-    pub fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
-        self.masked(wo)
-            .visibility(self.masked(wi), masking, self.d(wh))
+    fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
+        self.visibility(wo, wi, masking, self.d(wh))
+    }
+
+    /// `d` G2 / (4 mu_o mu_i): [`Self::lobe`] with the masking of this distribution and the density of another.
+    #[inline(always)]
+    fn visibility(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking, d: R) -> R {
+        self.masked(wo).visibility(self.masked(wi), masking, d)
     }
 
     /// Masking and shadowing together, 0..1.
-    pub fn g2(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking) -> R {
+    #[inline(always)]
+    fn g2(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking) -> R {
         self.masked(wo).g2(self.masked(wi), masking)
     }
 
     /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`. Saturates.
     #[inline(always)]
-    pub fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
+    fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
         self.masked(wo).reflection_pdf(self.d(wh))
-    }
-
-    /// A visible normal of `wo` (on the upper side).
-    #[inline(always)]
-    pub fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        match self {
-            Self::Ggx(ggx) => ggx.sample_visible_normal(wo, u),
-            Self::Beckmann(beckmann) => beckmann.sample_visible_normal(wo, u),
-        }
     }
 
     /// `wo` (on the upper side) reflected at a visible normal; it may leave below the horizon.
     #[inline(always)]
-    pub fn sample_reflection(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+    fn sample_reflection(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         let wh = self.sample_visible_normal(wo, u)?;
         Some(wh * (R::of(2.0) * wo.dot(wh)) - wo)
     }

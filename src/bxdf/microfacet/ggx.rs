@@ -9,7 +9,7 @@
 
 use num_traits::Float;
 
-use super::{Masked, Masking};
+use super::{Masked, Normals};
 use crate::bxdf::math::{Real, Vec3};
 
 /// GGX with widths `alpha_x`, `alpha_y` along s and t, both above 0.
@@ -25,55 +25,38 @@ impl<R: Real> Ggx<R> {
         Self { alpha_x, alpha_y }
     }
 
-    /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides.
-    #[inline(always)]
-    pub fn d(&self, wh: Vec3<R>) -> R {
-        let x = wh.x / self.alpha_x;
-        let y = wh.y / self.alpha_y;
-        let q = x * x + y * y + wh.z * wh.z;
-        R::one() / (R::PI() * (self.alpha_x * self.alpha_y) * (q * q))
-    }
-
     /// |w stretched by the widths|: sqrt(z^2 + alpha_x^2 x^2 + alpha_y^2 y^2). Heitz's 1 + 2 Lambda is this over |z|.
     #[inline(always)]
     pub fn stretched_length(&self, w: Vec3<R>) -> R {
         let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
         (w.z * w.z + x * x + y * y).sqrt()
     }
+}
 
-    /// [`Self::stretched_length`] less |z|, without their difference: 2 |z| Lambda(w).
+impl<R: Real> Normals<R> for Ggx<R> {
+    /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides.
     #[inline(always)]
-    pub fn masking_excess(&self, w: Vec3<R>) -> R {
-        let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
-        let denominator = self.stretched_length(w) + w.z.abs();
-        (x * x + y * y) / denominator.max(R::min_positive_value())
+    fn d(&self, wh: Vec3<R>) -> R {
+        let x = wh.x / self.alpha_x;
+        let y = wh.y / self.alpha_y;
+        let q = x * x + y * y + wh.z * wh.z;
+        R::one() / (R::PI() * (self.alpha_x * self.alpha_y) * (q * q))
     }
 
-    /// D(wh) G2 / (4 mu_o mu_i) of two directions on the same side: the lobe less its Fresnel factor. Saturates.
     #[inline(always)]
-    pub fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
-        self.visibility(wo, wi, masking, self.d(wh))
-    }
-
-    /// `d` G2 / (4 mu_o mu_i): [`Self::lobe`] with the masking of this distribution and the density of another.
-    #[inline(always)]
-    pub fn visibility(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking, d: R) -> R {
-        self.masked(wo).visibility(self.masked(wi), masking, d)
-    }
-
-    /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`.
-    #[inline(always)]
-    pub fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
-        self.masked(wo).reflection_pdf(self.d(wh))
-    }
-
-    /// What masks `w`.
-    #[inline(always)]
-    pub(super) fn masked(&self, w: Vec3<R>) -> Masked<R> {
+    fn masked(&self, w: Vec3<R>) -> Masked<R> {
         Masked {
             mu: w.z.abs(),
             t: self.stretched_length(w),
         }
+    }
+
+    /// [`Self::stretched_length`] less |z|, without their difference: 2 |z| Lambda(w).
+    #[inline(always)]
+    fn masking_excess(&self, w: Vec3<R>) -> R {
+        let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
+        let denominator = self.stretched_length(w) + w.z.abs();
+        (x * x + y * y) / denominator.max(R::min_positive_value())
     }
 
     /// A visible normal of `wo` (on the upper side), by the spherical cap of the stretched configuration.
@@ -81,7 +64,7 @@ impl<R: Real> Ggx<R> {
     /// With v = stretched wo, a point of the cap z in (-v_z, 1) plus v is the normal sought. Writing z = s - v_z with
     /// s = (1 - u1)(1 + v_z) gives 1 - z^2 = u1 (1 + v_z)(1 - v_z + s), free of cancellation.
     #[inline(always)]
-    pub fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+    fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         let one = R::one();
         let (v, _) = Vec3::new(self.alpha_x * wo.x, self.alpha_y * wo.y, wo.z).unit_and_length()?;
         let (sin_phi, cos_phi) = Float::sin_cos(R::of(2.0) * R::PI() * u[0]);
@@ -92,18 +75,12 @@ impl<R: Real> Ggx<R> {
             Vec3::new(self.alpha_x * cap.x, self.alpha_y * cap.y, cap.z).unit_and_length()?;
         Some(wh)
     }
-
-    /// `wo` (on the upper side) reflected at a visible normal; it may leave below the horizon.
-    #[inline(always)]
-    pub fn sample_reflection(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        let wh = self.sample_visible_normal(wo, u)?;
-        Some(wh * (R::of(2.0) * wo.dot(wh)) - wo)
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bxdf::microfacet::Masking;
 
     #[test]
     fn the_peak_is_the_published_one() {

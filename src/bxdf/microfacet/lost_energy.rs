@@ -13,9 +13,8 @@
 
 use std::sync::OnceLock;
 
-use gauss_quad::legendre::GaussLegendre;
-
 use super::{Distribution, Masking};
+use crate::bxdf::math::quadrature::gauss_legendre;
 use crate::bxdf::math::{Real, Vec3};
 
 /// Gauss-Legendre nodes along w and along asinh(r / alpha).
@@ -143,14 +142,4 @@ fn excess(distribution: &Distribution<f64>, mu: f64) -> f64 {
 fn rules() -> &'static [Vec<(f64, f64)>; 2] {
     static RULES: OnceLock<[Vec<(f64, f64)>; 2]> = OnceLock::new();
     RULES.get_or_init(|| NODES.map(gauss_legendre))
-}
-
-/// The Gauss-Legendre rule of -1..1 with `nodes` nodes, as (node, weight).
-pub(in crate::bxdf) fn gauss_legendre(nodes: usize) -> Vec<(f64, f64)> {
-    let degree = std::num::NonZeroUsize::new(nodes).unwrap_or(std::num::NonZeroUsize::MIN);
-    let rule = GaussLegendre::new(degree);
-    rule.as_node_weight_pairs()
-        .iter()
-        .map(|pair| (pair.0, pair.1))
-        .collect()
 }

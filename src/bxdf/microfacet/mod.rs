@@ -1,12 +1,14 @@
 //! Microfacet distributions: D, the masking functions and visible normals.
 
 pub mod beckmann;
+pub mod compensation;
 pub mod distribution;
 pub mod ggx;
+pub mod gtr1;
 mod lost_energy;
 pub mod multiple_scattering;
 
-pub use distribution::Distribution;
+pub use distribution::{Distribution, Normals};
 
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::param::{ParamSet, ParamSpec, Scale};
@@ -43,9 +45,11 @@ impl Masking {
 /// How much of a direction is masked: its cosine and t = mu (1 + 2 Lambda), with which every Smith factor is written
 /// without a tangent and without a division by a cosine.
 #[derive(Clone, Copy, Debug)]
-struct Masked<R> {
-    mu: R,
-    t: R,
+pub struct Masked<R> {
+    /// |cos(theta)|.
+    pub mu: R,
+    /// mu (1 + 2 Lambda).
+    pub t: R,
 }
 
 impl<R: Real> Masked<R> {
@@ -62,6 +66,7 @@ impl<R: Real> Masked<R> {
     }
 
     /// Masking and shadowing together, 0..1.
+    #[inline(always)]
     fn g2(self, other: Self, masking: Masking) -> R {
         let ratio = |m: Self| m.mu / m.t.max(R::min_positive_value());
         let (o, i) = (ratio(self), ratio(other));

@@ -10,7 +10,6 @@ use num_traits::Float;
 
 use super::Masking;
 use super::lost_energy::Lobe;
-pub(in crate::bxdf) use super::lost_energy::gauss_legendre;
 use crate::bxdf::math::{Real, Vec3};
 
 /// Terms of the Chebyshev series through which the integrals are interpolated: 1.2e-6 at the worst width.

@@ -112,23 +112,28 @@ impl<R: Real> AshikhminShirley<R> {
 }
 
 impl<R: Real> OverDiffuse<R> for AshikhminShirley<R> {
+    #[inline(always)]
     fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        half_vector(wo, wi).map_or(Spectrum::black(), |(wh, cos_d)| {
-            // peak/4 (n.wh)^(e-1) times (n.wh) / ((wo.wh) max(mu_o, mu_i)).
-            let power = self.peak * R::of(0.125) * self.power_less_one(wh);
-            let cosines = (wo.z + wi.z) / wo.z.max(wi.z);
-            let lobe = (power * cosines / cos_d / cos_d).saturated();
-            self.specular.map(|f0| fresnel::schlick(cos_d, f0)) * lobe
-        })
+        let Some((wh, cos_d)) = half_vector(wo, wi) else {
+            return Spectrum::black();
+        };
+        // peak/4 (n.wh)^(e-1) times (n.wh) / ((wo.wh) max(mu_o, mu_i)).
+        let power = self.peak * R::of(0.125) * self.power_less_one(wh);
+        let cosines = (wo.z + wi.z) / wo.z.max(wi.z);
+        let lobe = (power * cosines / cos_d / cos_d).saturated();
+        self.specular.map(|f0| fresnel::schlick(cos_d, f0)) * lobe
     }
 
+    #[inline(always)]
     fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        half_vector(wo, wi).map_or(R::zero(), |(wh, cos_d)| {
-            let of_wh = self.peak * self.power_less_one(wh) * wh.z;
-            (of_wh / (R::of(4.0) * cos_d)).saturated()
-        })
+        let Some((wh, cos_d)) = half_vector(wo, wi) else {
+            return R::zero();
+        };
+        let of_wh = self.peak * self.power_less_one(wh) * wh.z;
+        (of_wh / (R::of(4.0) * cos_d)).saturated()
     }
 
+    #[inline(always)]
     fn sample_glossy(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         // Equal areas of the ellipse with these half axes: tan(phi) = sqrt((nx + 1)/(ny + 1)) tan(2 pi u).
         let (cos, sin) = azimuth(u[1]);
@@ -140,11 +145,13 @@ impl<R: Real> OverDiffuse<R> for AshikhminShirley<R> {
         Some(reflected(wo, sample_about_z(e, u[0], (cos_phi, sin_phi))))
     }
 
+    #[inline(always)]
     fn diffuse(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let normalisation = R::of(28.0) / R::of(23.0) * R::FRAC_1_PI();
         self.diffuse * (normalisation * let_through(wo.z) * let_through(wi.z))
     }
 
+    #[inline(always)]
     fn shares(&self, wo: Vec3<R>) -> [R; 2] {
         let glossy = self.specular.map(|f0| fresnel::schlick(wo.z, f0));
         // The diffuse lobe's albedo exactly: 28/23 is one over the cosine-weighted mean of the last factor.

@@ -79,31 +79,38 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> OverDiffuse<R> for BlinnPhong<R> {
+    #[inline(always)]
     fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        half_vector(wo, wi).map_or(Spectrum::black(), |(wh, _)| {
-            self.peak * cosine_power::of_normal(wh, self.exponent)
-        })
+        let Some((wh, _)) = half_vector(wo, wi) else {
+            return Spectrum::black();
+        };
+        self.peak * cosine_power::of_normal(wh, self.exponent)
     }
 
+    #[inline(always)]
     fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        half_vector(wo, wi).map_or(R::zero(), |(wh, cos_d)| {
-            let power = cosine_power::of_normal(wh, self.exponent);
-            // (n + 1) / (2 pi) cos^n per solid angle of wh, 4 (wo.wh) of wi for one of wh.
-            let of_wh = (self.exponent + R::one()) * R::of(0.5) * R::FRAC_1_PI() * power;
-            (of_wh / (R::of(4.0) * cos_d)).saturated()
-        })
+        let Some((wh, cos_d)) = half_vector(wo, wi) else {
+            return R::zero();
+        };
+        let power = cosine_power::of_normal(wh, self.exponent);
+        // (n + 1) / (2 pi) cos^n per solid angle of wh, 4 (wo.wh) of wi for one of wh.
+        let of_wh = (self.exponent + R::one()) * R::of(0.5) * R::FRAC_1_PI() * power;
+        (of_wh / (R::of(4.0) * cos_d)).saturated()
     }
 
+    #[inline(always)]
     fn sample_glossy(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         let azimuth = cosine_power::azimuth(u[1]);
         let wh = cosine_power::sample_about_z(self.exponent, u[0], azimuth);
         Some(reflected(wo, wh))
     }
 
+    #[inline(always)]
     fn diffuse(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
         self.diffuse
     }
 
+    #[inline(always)]
     fn shares(&self, _wo: Vec3<R>) -> [R; 2] {
         self.shares
     }

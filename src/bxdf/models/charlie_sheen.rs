@@ -143,6 +143,7 @@ impl<R: Real> CharlieSheen<R> {
 }
 
 impl<R: Real> Bxdf<R> for CharlieSheen<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
@@ -157,10 +158,15 @@ impl<R: Real> Bxdf<R> for CharlieSheen<R> {
         self.reflectance * shape.saturated()
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |_| warp::uniform_hemisphere_pdf())
+        let Some(_) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        warp::uniform_hemisphere_pdf()
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |_| Some(warp::uniform_hemisphere(u)))
     }

@@ -110,6 +110,7 @@ impl<R: Real> CookTorrance<R> {
 }
 
 impl<R: Real> Bxdf<R> for CookTorrance<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
@@ -120,14 +121,18 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
         self.f0.map(|f0| reflectance(cos_d, f0)) * self.lobe(wo, wi, wh, cos_d)
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi)
-            .and_then(|(wo, wi)| half_vector(wo, wi))
-            .map_or(R::zero(), |(wh, cos_d)| {
-                (self.slopes.normal_pdf(wh) * R::of(0.25) / cos_d).saturated()
-            })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        let Some((wh, cos_d)) = half_vector(wo, wi) else {
+            return R::zero();
+        };
+        (self.slopes.normal_pdf(wh) * R::of(0.25) / cos_d).saturated()
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         has_density(sample_reflection(self, wo, |wo| {
             self.slopes.sample(u).map(|wh| reflected(wo, wh))

@@ -94,6 +94,7 @@ fn loss<R: Real>(w: Vec3<R>) -> R {
 }
 
 impl<R: Real> Bxdf<R> for Eon<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
@@ -103,13 +104,18 @@ impl<R: Real> Bxdf<R> for Eon<R> {
         // At roughness 1 it is 0 where the directions are opposed at grazing, and rounding must not make it less.
         let single = (R::one() + self.roughness * s_over_tau).max(R::zero()) * self.single;
         let both_lost = (loss(wo) * loss(wi)).max(R::zero());
-        (self.reflectance * single + self.multiple * both_lost).map(Real::saturated)
+        (self.reflectance * single + self.multiple * both_lost).saturated()
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(_, wi)| warp::cosine_hemisphere_pdf(wi.z))
+        let Some((_, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        warp::cosine_hemisphere_pdf(wi.z)
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
     }

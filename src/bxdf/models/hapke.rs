@@ -236,6 +236,7 @@ fn chords<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> (R, R) {
 }
 
 impl<R: Real> Bxdf<R> for Hapke<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
@@ -245,15 +246,18 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
         self.value(wo, wi, scattered)
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| {
-            let (phase_share, cosine_share) = self.shares(wo.z);
-            let phase = self.phase_pdf(wo, wi);
-            let broad = warp::mixed_hemisphere_pdf(cosine_share, wi.z);
-            phase_share * phase + (R::one() - phase_share) * broad
-        })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        let (phase_share, cosine_share) = self.shares(wo.z);
+        let phase = self.phase_pdf(wo, wi);
+        let broad = warp::mixed_hemisphere_pdf(cosine_share, wi.z);
+        phase_share * phase + (R::one() - phase_share) * broad
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |wo| {
             let (phase_share, cosine_share) = self.shares(wo.z);
@@ -270,23 +274,30 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
         LOBES
     }
 
+    #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| {
-            let scattered = match index {
-                0 => Spectrum::grey(self.single(wo, wi)),
-                _ => self.repeated(wi.z, wo.z),
-            };
-            self.value(wo, wi, scattered)
-        })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        let scattered = match index {
+            0 => Spectrum::grey(self.single(wo, wi)),
+            _ => self.repeated(wi.z, wo.z),
+        };
+        self.value(wo, wi, scattered)
     }
 
+    #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        match index {
             0 => self.phase_pdf(wo, wi),
             _ => warp::uniform_hemisphere_pdf(),
-        })
+        }
     }
 
+    #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         reflected_direction(wo, |wo| {
             Some(match index {

@@ -43,6 +43,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for LambertianReflection<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         match both_above(wo, wi) {
             Some(_) => self.reflectance * R::FRAC_1_PI(),
@@ -50,10 +51,15 @@ impl<R: Real> Bxdf<R> for LambertianReflection<R> {
         }
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(_, wi)| warp::cosine_hemisphere_pdf(wi.z))
+        let Some((_, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        warp::cosine_hemisphere_pdf(wi.z)
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
     }

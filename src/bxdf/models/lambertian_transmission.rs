@@ -47,6 +47,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         if are_across(wo, wi) {
             self.transmittance * R::FRAC_1_PI()
@@ -55,6 +56,7 @@ impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
         }
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         if are_across(wo, wi) {
             wi.z.abs() * R::FRAC_1_PI()
@@ -63,6 +65,7 @@ impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
         }
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         let above = warp::cosine_hemisphere(u);
         let wi = if wo.z > R::zero() {

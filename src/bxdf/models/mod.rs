@@ -107,6 +107,7 @@ const CONDUCTOR_K: ParamSpec = ParamSpec::rgb(
 .soft(0.0, 10.0);
 
 /// Refuses eta = k = 0 in any channel: such a medium has no Fresnel reflectance.
+#[inline(always)]
 fn refuse_zero_index(params: &super::param::ParamSet) -> Result<()> {
     let (eta, k) = (params.rgb("eta"), params.rgb("k"));
     if eta.iter().zip(k).any(|(&n, k)| n == 0.0 && k == 0.0) {

@@ -83,24 +83,29 @@ impl<R: Real> Phong<R> {
 }
 
 impl<R: Real> OverDiffuse<R> for Phong<R> {
+    #[inline(always)]
     fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.specular * ((self.exponent + R::of(2.0)) * self.power(wo, wi))
     }
 
+    #[inline(always)]
     fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         (self.exponent + R::one()) * self.power(wo, wi)
     }
 
+    #[inline(always)]
     fn sample_glossy(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         let azimuth = cosine_power::azimuth(u[1]);
         let w = cosine_power::sample_about_z(self.exponent, u[0], azimuth);
         Some(tilted(w, wo.mirrored_about_normal()))
     }
 
+    #[inline(always)]
     fn diffuse(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
         self.diffuse
     }
 
+    #[inline(always)]
     fn shares(&self, _wo: Vec3<R>) -> [R; 2] {
         self.shares
     }

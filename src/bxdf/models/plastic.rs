@@ -19,7 +19,7 @@
 use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{Distribution, Masking, half_vector};
+use crate::bxdf::microfacet::{Distribution, Masking, Normals, half_vector};
 use crate::bxdf::optics::diffuse_fresnel::diffuse_transmittance;
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::{ParamSet, Scale};
@@ -87,7 +87,7 @@ const fn coat_alpha(name: &'static str, meaning: &'static str) -> ParamSpec {
         .scale(Scale::Logarithmic)
 }
 
-/// Both widths 0, or neither and both in the range of a microfacet distribution.
+/// Both widths 0, or neither and both in the range of a microfacet normals.
 fn validate(params: &ParamSet) -> Result<()> {
     let alphas = ["alpha_x", "alpha_y"].map(|name| (name, params.number(name)));
     if alphas.iter().all(|(_, alpha)| *alpha == 0.0) {
@@ -102,10 +102,10 @@ fn validate(params: &ParamSet) -> Result<()> {
     }
 }
 
-struct Plastic<R> {
+struct Plastic<R, N> {
     eta: R,
     /// `None` where the coat is smooth.
-    coat: Option<(Distribution<R>, Masking)>,
+    coat: Option<(N, Masking)>,
     /// f of the ground less T(mu_i) T(mu_o).
     ground: Spectrum<R>,
     /// The albedo of the ground, largest channel, less T(mu_o).
@@ -113,6 +113,13 @@ struct Plastic<R> {
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+    match Distribution::from_params(params) {
+        Distribution::Ggx(normals) => build_with(params, normals),
+        Distribution::Beckmann(normals) => build_with(params, normals),
+    }
+}
+
+fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
     let one = R::one();
     let eta = R::of(params.number("eta"));
     let diffuse_t = diffuse_transmittance(eta);
@@ -125,43 +132,41 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     let is_rough = params.number("alpha_x") > 0.0;
     Box::new(Plastic {
         eta,
-        coat: is_rough.then(|| {
-            (
-                Distribution::from_params(params),
-                Masking::from_params(params),
-            )
-        }),
+        coat: is_rough.then(|| (normals, Masking::from_params(params))),
         ground,
         ground_albedo: ground.max_channel() * R::PI() * diffuse_t,
     })
 }
 
-impl<R: Real> Plastic<R> {
+impl<R: Real, N: Normals<R>> Plastic<R, N> {
     /// The coat's lobe, of directions above the surface; 0 where it is a delta.
+    #[inline(always)]
     fn coat_value(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let value = self.coat.as_ref().and_then(|(distribution, masking)| {
-            let (wh, cos_d) = half_vector(wo, wi)?;
-            let share = self.facet_reflectance(wo, wi, cos_d);
-            Some(share * distribution.lobe(wo, wi, wh, *masking))
-        });
-        Spectrum::grey(value.unwrap_or(R::zero()))
+        let (Some((normals, masking)), Some((wh, cos_d))) = (&self.coat, half_vector(wo, wi))
+        else {
+            return Spectrum::black();
+        };
+        let share = self.facet_reflectance(wo, wi, cos_d);
+        Spectrum::grey(share * normals.lobe(wo, wi, wh, *masking))
     }
 
     /// The density of the coat's visible normals, of directions above the surface; 0 where it is a delta.
+    #[inline(always)]
     fn coat_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let pdf = self.coat.as_ref().and_then(|(distribution, _)| {
-            let (wh, _) = half_vector(wo, wi)?;
-            Some(distribution.reflection_pdf(wo, wh))
-        });
-        pdf.unwrap_or(R::zero())
+        let (Some((normals, _)), Some((wh, _))) = (&self.coat, half_vector(wo, wi)) else {
+            return R::zero();
+        };
+        normals.reflection_pdf(wo, wh)
     }
 
+    #[inline(always)]
     fn facet_reflectance(&self, wo: Vec3<R>, wi: Vec3<R>, cos_d: R) -> R {
         // Half the angle between the two: |wo - wi| / 2 is its sine.
         let sin2 = (wo - wi).length_squared() * R::of(0.25);
         fresnel::dielectric_with_sine(cos_d, sin2, self.eta).reflectance
     }
 
+    #[inline(always)]
     fn ground_value(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let through = |w| fresnel::dielectric_along(w, self.eta).transmittance;
         self.ground * (through(wo) * through(wi))
@@ -169,6 +174,7 @@ impl<R: Real> Plastic<R> {
 
     /// The probabilities of sampling the coat and the ground: their shares of the light seen along `w`. Neither is 1 less
     /// the other, which would lose the digits of a small one.
+    #[inline(always)]
     fn shares(&self, w: Vec3<R>) -> [R; 2] {
         let interface = fresnel::dielectric_along(w, self.eta);
         let (coat, ground) = (
@@ -184,13 +190,16 @@ impl<R: Real> Plastic<R> {
     }
 }
 
-impl<R: Real> Bxdf<R> for Plastic<R> {
+impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| {
-            (self.coat_value(wo, wi) + self.ground_value(wo, wi)).map(Real::saturated)
-        })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        (self.coat_value(wo, wi) + self.ground_value(wo, wi)).saturated()
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return R::zero();
@@ -199,6 +208,7 @@ impl<R: Real> Bxdf<R> for Plastic<R> {
         coat_share * self.coat_pdf(wo, wi) + ground_share * warp::cosine_hemisphere_pdf(wi.z)
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         let [share, _] = self.shares(wo);
         match &self.coat {
@@ -206,8 +216,8 @@ impl<R: Real> Bxdf<R> for Plastic<R> {
                 let [delta, _] = self.deltas(wo);
                 delta.map(|delta| delta.sample())
             }
-            Some((distribution, _)) if uc < share => {
-                sample_reflection(self, wo, |wo| distribution.sample_reflection(wo, u))
+            Some((normals, _)) if uc < share => {
+                sample_reflection(self, wo, |wo| normals.sample_reflection(wo, u))
             }
             _ => sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u))),
         }
@@ -217,35 +227,44 @@ impl<R: Real> Bxdf<R> for Plastic<R> {
         SPEC.lobes
     }
 
+    #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| match index {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        match index {
             0 => self.coat_value(wo, wi),
             _ => self.ground_value(wo, wi),
-        })
+        }
     }
 
+    #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        match index {
             0 => self.coat_pdf(wo, wi),
             _ => warp::cosine_hemisphere_pdf(wi.z),
-        })
+        }
     }
 
+    #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         reflected_direction(wo, |wo| match (index, &self.coat) {
-            (0, Some((distribution, _))) => distribution.sample_reflection(wo, u),
+            (0, Some((normals, _))) => normals.sample_reflection(wo, u),
             (0, None) => None,
             _ => Some(warp::cosine_hemisphere(u)),
         })
     }
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
-        let (distribution, masking) = self.coat.as_ref()?;
+        let (normals, masking) = self.coat.as_ref()?;
         let (wo, wi) = both_above(wo, wi)?;
         let (wh, cos_d) = half_vector(wo, wi)?;
         Some(Microfacet {
-            d: distribution.d(wh),
-            g: distribution.g2(wo, wi, *masking),
+            d: normals.d(wh),
+            g: normals.g2(wo, wi, *masking),
             fresnel: Spectrum::grey(self.facet_reflectance(wo, wi, cos_d)),
         })
     }

@@ -13,13 +13,12 @@
 //! A fit to measured materials and to taste, not to energy: diffuse, sheen, specular and coat are simply added. At
 //! grazing incidence a rough white surface gives back 1.6 times the light (declared below).
 
-use num_traits::Float;
-
 use super::*;
 use crate::bxdf::glossy::reflected;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::ggx::Ggx;
-use crate::bxdf::microfacet::{Masking, half_vector};
+use crate::bxdf::microfacet::gtr1::Gtr1;
+use crate::bxdf::microfacet::{Masking, Normals, half_vector};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::fresnel::{schlick_rest, schlick_weight};
 use crate::bxdf::param::ParamSet;
@@ -124,12 +123,14 @@ const MEAN_SCHLICK: f64 = 1.0 / 21.0;
 const SHEEN_ALBEDO: f64 = 0.0116;
 
 /// The widths of the specular lobe, and the least they may be (both of the paper).
+#[inline(always)]
 fn widths<R: Real>(roughness: R, anisotropic: R) -> [R; 2] {
     let aspect = (R::one() - tenths::<R>(9) * anisotropic).sqrt();
     let square = roughness * roughness;
     [square / aspect, square * aspect].map(|width| width.max(R::of(1.0) / R::of(1000.0)))
 }
 
+#[inline(always)]
 fn tenths<R: Real>(n: u8) -> R {
     R::of(f64::from(n)) / R::of(10.0)
 }
@@ -145,7 +146,7 @@ struct Principled<R> {
     f0: Spectrum<R>,
     specular: Ggx<R>,
     clearcoat: R,
-    coat_alpha: R,
+    coat: Gtr1<R>,
     /// The clear coat is shadowed as a rougher surface would be: the paper's alpha of .25.
     coat_masking: Ggx<R>,
 }
@@ -172,11 +173,12 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
         f0,
         specular: Ggx::new(alpha_x, alpha_y),
         clearcoat: quarter * number("clearcoat"),
-        coat_alpha: (R::of(100.0) - R::of(99.0) * number("clearcoat_gloss")) / R::of(1000.0),
+        coat: Gtr1::new((R::of(100.0) - R::of(99.0) * number("clearcoat_gloss")) / R::of(1000.0)),
         coat_masking: Ggx::new(quarter, quarter),
     })
 }
 
+#[inline(always)]
 fn mix<R: Real>(a: R, b: R, amount: R) -> R {
     a * (R::one() - amount) + b * amount
 }
@@ -198,6 +200,7 @@ impl<R: Real> Pair<R> {
 }
 
 impl<R: Real> Principled<R> {
+    #[inline(always)]
     fn diffuse(&self, pair: &Pair<R>) -> Spectrum<R> {
         let (one, half) = (R::one(), R::of(0.5));
         let (mu_o, mu_i) = (pair.wo.z, pair.wi.z);
@@ -212,10 +215,12 @@ impl<R: Real> Principled<R> {
         self.body * mix(rough, under.saturated(), self.subsurface)
     }
 
+    #[inline(always)]
     fn sheen(&self, pair: &Pair<R>) -> Spectrum<R> {
         self.sheen * schlick_weight(pair.cos_d)
     }
 
+    #[inline(always)]
     fn specular(&self, pair: &Pair<R>) -> Spectrum<R> {
         let lobe = self
             .specular
@@ -224,6 +229,7 @@ impl<R: Real> Principled<R> {
         self.f0.map(|f0| mix(f0, R::one(), weight) * lobe)
     }
 
+    #[inline(always)]
     fn clearcoat(&self, pair: &Pair<R>) -> Spectrum<R> {
         let fresnel = mix(
             R::of(4.0) / R::of(100.0),
@@ -234,41 +240,19 @@ impl<R: Real> Principled<R> {
             pair.wo,
             pair.wi,
             Masking::Separable,
-            self.coat_d(pair.wh),
+            self.coat.d(pair.wh),
         );
         Spectrum::grey(self.clearcoat * fresnel * visibility)
     }
 
-    /// The paper's GTR1, normalised: (a^2 - 1) / (pi ln(a^2) (a^2 + (1 - a^2) sin^2)).
-    fn coat_d(&self, wh: Vec3<R>) -> R {
-        let a = self.coat_alpha;
-        let one_minus_a2 = (R::one() - a) * (R::one() + a);
-        let sin2 = wh.x * wh.x + wh.y * wh.y;
-        one_minus_a2 / (-R::PI() * R::of(2.0) * a.ln() * (a * a + one_minus_a2 * sin2))
-    }
-
-    /// The density of a direction reflected at [`Self::sample_coat_normal`], in 1/sr.
+    /// The density of a direction reflected at a normal of the coat, in 1/sr.
+    #[inline(always)]
     fn coat_pdf(&self, pair: &Pair<R>) -> R {
-        (self.coat_d(pair.wh) * pair.wh.z / (R::of(4.0) * pair.cos_d)).saturated()
-    }
-
-    /// A normal with density `coat_d` times its cosine.
-    fn sample_coat_normal(&self, u: [R; 2]) -> Vec3<R> {
-        let a = self.coat_alpha;
-        let one_minus_a2 = (R::one() - a) * (R::one() + a);
-        // cos^2 = (1 - a^(2 - 2 u)) / (1 - a^2), of which this is 1 less.
-        let sin2 = a * a * (-R::of(2.0) * u[0] * a.ln()).exp_m1() / one_minus_a2;
-        let sin2 = sin2.max(R::zero()).min(R::one());
-        let (sin_phi, cos_phi) = Float::sin_cos(R::of(2.0) * R::PI() * u[1]);
-        let sin = sin2.sqrt();
-        Vec3::new(
-            sin * cos_phi,
-            sin * sin_phi,
-            (R::one() - sin2).sqrt_clamped(),
-        )
+        (self.coat.d(pair.wh) * pair.wh.z / (R::of(4.0) * pair.cos_d)).saturated()
     }
 
     /// The probabilities of sampling the specular lobe, diffuse and sheen, and the clear coat: their albedos, roughly.
+    #[inline(always)]
     fn shares(&self, mu_o: R) -> [R; 3] {
         // Never 0 where the lobe is not: the weight at wi.h may exceed that at wo.
         let weight = schlick_weight(mu_o).max(R::of(MEAN_SCHLICK));
@@ -282,23 +266,28 @@ impl<R: Real> Principled<R> {
 }
 
 impl<R: Real> Bxdf<R> for Principled<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        Pair::new(wo, wi).map_or(Spectrum::black(), |pair| {
-            let body = self.diffuse(&pair) + self.sheen(&pair);
-            (self.specular(&pair) + body + self.clearcoat(&pair)).map(Real::saturated)
-        })
+        let Some(pair) = Pair::new(wo, wi) else {
+            return Spectrum::black();
+        };
+        let body = self.diffuse(&pair) + self.sheen(&pair);
+        (self.specular(&pair) + body + self.clearcoat(&pair)).saturated()
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        Pair::new(wo, wi).map_or(R::zero(), |pair| {
-            let [specular, diffuse, coat] = self.shares(pair.wo.z);
-            let sum = specular * self.specular.reflection_pdf(pair.wo, pair.wh)
-                + diffuse * warp::cosine_hemisphere_pdf(pair.wi.z)
-                + coat * self.coat_pdf(&pair);
-            sum.saturated()
-        })
+        let Some(pair) = Pair::new(wo, wi) else {
+            return R::zero();
+        };
+        let [specular, diffuse, coat] = self.shares(pair.wo.z);
+        let sum = specular * self.specular.reflection_pdf(pair.wo, pair.wh)
+            + diffuse * warp::cosine_hemisphere_pdf(pair.wi.z)
+            + coat * self.coat_pdf(&pair);
+        sum.saturated()
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |wo| {
             let [specular, diffuse, _] = self.shares(wo.z);
@@ -307,7 +296,7 @@ impl<R: Real> Bxdf<R> for Principled<R> {
             } else if uc < specular + diffuse {
                 Some(warp::cosine_hemisphere(u))
             } else {
-                Some(reflected(wo, self.sample_coat_normal(u)))
+                Some(reflected(wo, self.coat.sample_normal(u)))
             }
         })
     }
@@ -316,28 +305,37 @@ impl<R: Real> Bxdf<R> for Principled<R> {
         SPEC.lobes
     }
 
+    #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        Pair::new(wo, wi).map_or(Spectrum::black(), |pair| match index {
+        let Some(pair) = Pair::new(wo, wi) else {
+            return Spectrum::black();
+        };
+        match index {
             0 => self.specular(&pair),
             1 => self.diffuse(&pair),
             2 => self.sheen(&pair),
             _ => self.clearcoat(&pair),
-        })
+        }
     }
 
+    #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        Pair::new(wo, wi).map_or(R::zero(), |pair| match index {
+        let Some(pair) = Pair::new(wo, wi) else {
+            return R::zero();
+        };
+        match index {
             0 => self.specular.reflection_pdf(pair.wo, pair.wh),
             1 | 2 => warp::cosine_hemisphere_pdf(pair.wi.z),
             _ => self.coat_pdf(&pair),
-        })
+        }
     }
 
+    #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         reflected_direction(wo, |wo| match index {
             0 => self.specular.sample_reflection(wo, u),
             1 | 2 => Some(warp::cosine_hemisphere(u)),
-            _ => Some(reflected(wo, self.sample_coat_normal(u))),
+            _ => Some(reflected(wo, self.coat.sample_normal(u))),
         })
     }
 }

@@ -14,7 +14,7 @@
 
 use super::*;
 use crate::bxdf::microfacet::ggx::Ggx;
-use crate::bxdf::microfacet::{Masking, alpha, half_vector};
+use crate::bxdf::microfacet::{Masking, Normals, alpha, half_vector};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{both_above, sample_reflection};
@@ -56,6 +56,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for RetroReflector<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
@@ -67,15 +68,18 @@ impl<R: Real> Bxdf<R> for RetroReflector<R> {
         self.reflectance * self.ggx.lobe(wo, back, wh, Masking::Correlated)
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi)
-            .and_then(|(wo, wi)| {
-                let (wh, _) = half_vector(wo, wi.mirrored_about_normal())?;
-                Some(self.ggx.reflection_pdf(wo, wh))
-            })
-            .unwrap_or(R::zero())
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        let Some((wh, _)) = half_vector(wo, wi.mirrored_about_normal()) else {
+            return R::zero();
+        };
+        self.ggx.reflection_pdf(wo, wh)
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |wo| {
             Some(self.ggx.sample_reflection(wo, u)?.mirrored_about_normal())

@@ -19,14 +19,15 @@
 //! along wo, it returns more than arrives for some wi (both declared). alpha 1e-4 is the narrowest lobe; 0 is the
 //! business of `specular_reflection`. In f32 the value saturates where both directions graze.
 
-use std::sync::Arc;
+use std::marker::PhantomData;
 
 use super::*;
 use crate::bxdf::math::warp;
+use crate::bxdf::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::multiple_scattering::{EnergyTable, gauss_legendre};
-use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, half_vector};
-use crate::bxdf::optics::{Spectrum, fresnel};
+use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
+use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::facet_fresnel::{Conductor, FacetFresnel, One, Schlick};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, both_above, reflected_direction, sample_reflection};
 
@@ -100,191 +101,109 @@ const DECLARATIONS: &[Declaration] = &[
     },
 ];
 
-enum Fresnel<R> {
-    Conductor(Spectrum<R>, Spectrum<R>),
-    Schlick(Spectrum<R>),
-    One,
-}
-
-impl<R: Real> Fresnel<R> {
-    fn from_params(params: &ParamSet) -> Self {
-        match params.choice("fresnel") {
-            "schlick" => Self::Schlick(Spectrum::of(params.rgb("f0"))),
-            "one" => Self::One,
-            _ => Self::Conductor(
-                Spectrum::of(params.rgb("eta")),
-                Spectrum::of(params.rgb("k")),
-            ),
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, cos_d: R) -> Spectrum<R> {
-        match self {
-            Self::Conductor(eta, k) => eta.zip(*k, |n, k| fresnel::conductor(cos_d, n, k)),
-            Self::Schlick(f0) => f0.map(|f0| fresnel::schlick(cos_d, f0)),
-            Self::One => Spectrum::grey(R::one()),
-        }
-    }
-
-    /// The cosine-weighted mean Fbar = 2 int F(mu) mu dmu.
-    fn mean(&self) -> Spectrum<R> {
-        match self {
-            // 2 int (1 - mu)^5 mu dmu = 1/21.
-            Self::Schlick(f0) => f0.map(|f0| f0 + (R::one() - f0) / R::of(21.0)),
-            Self::One => Spectrum::grey(R::one()),
-            // mu = x^2 puts the nodes where a good conductor's reflectance bends, near grazing.
-            Self::Conductor(..) => gauss_legendre(FRESNEL_NODES).into_iter().fold(
-                Spectrum::black(),
-                |sum, (node, weight)| {
-                    let x = (R::one() + R::of(node)) * R::of(0.5);
-                    let measure = R::of(2.0) * x * x * x * R::of(weight);
-                    sum + self.at(x * x) * measure
-                },
-            ),
-        }
-    }
-}
-
-/// Nodes of the mean Fresnel reflectance: 1e-6 for metals; 1e-4 where the reflectance has the kink of a critical angle.
-const FRESNEL_NODES: usize = 32;
-
-/// What becomes of light that meets several facets.
-enum Compensation<R> {
-    None,
-    /// F_ms / (pi (1 - Ebar)) times (1 - E(mu_o)) (1 - E(mu_i)).
-    KullaConty {
-        table: Arc<EnergyTable>,
-        factor: Spectrum<R>,
-        /// Largest channels of F_ms and of Fbar, by which the two lobes are chosen.
-        weights: [R; 2],
-    },
-    /// One reflection times 1 + F0 (1 - E(mu_o)) / E(mu_o).
-    Turquin {
-        table: Arc<EnergyTable>,
-        f0: Spectrum<R>,
-    },
-}
-
-impl<R: Real> Compensation<R> {
-    fn from_params(params: &ParamSet, fresnel: &Fresnel<R>, masking: Masking) -> Self {
-        let table = || {
-            let alpha = (params.number("alpha_x") * params.number("alpha_y")).sqrt();
-            EnergyTable::of(params.choice("distribution") == "beckmann", alpha, masking)
-        };
-        match params.choice("compensation") {
-            "kulla_conty" => {
-                let table = table();
-                let lost = R::of(table.one_minus_mean());
-                let mean = fresnel.mean();
-                let one = R::one();
-                let colour = mean.map(|f| f * f * (one - lost) / (one - f * lost));
-                let scale = if lost > R::zero() {
-                    R::FRAC_1_PI() / lost
-                } else {
-                    R::zero()
-                };
-                Self::KullaConty {
-                    table,
-                    factor: colour * scale,
-                    weights: [colour.max_channel(), mean.max_channel()],
-                }
-            }
-            "turquin" => Self::Turquin {
-                table: table(),
-                f0: fresnel.at(R::one()),
-            },
-            _ => Self::None,
-        }
-    }
-
-    /// The lobe of several reflections.
-    fn lobe(&self, mu_o: R, mu_i: R) -> Spectrum<R> {
-        match self {
-            Self::KullaConty { table, factor, .. } => {
-                *factor * (table.one_minus_e(mu_o) * table.one_minus_e(mu_i))
-            }
-            Self::None | Self::Turquin { .. } => Spectrum::black(),
-        }
-    }
-
-    /// The factor on the lobe of one reflection.
-    fn factor(&self, mu_o: R) -> Spectrum<R> {
-        match self {
-            Self::Turquin { table, f0 } => {
-                let lost = table.one_minus_e(mu_o);
-                let ratio = lost / (R::one() - lost);
-                f0.map(|f0| R::one() + f0 * ratio)
-            }
-            Self::None | Self::KullaConty { .. } => Spectrum::grey(R::one()),
-        }
-    }
-
-    /// The table and the probability with which the lobe of several reflections is sampled: its share of the albedo.
-    fn choice(&self, mu_o: R) -> Option<(&EnergyTable, R)> {
-        let Self::KullaConty { table, weights, .. } = self else {
-            return None;
-        };
-        let [several, one] = *weights;
-        let lost = table.one_minus_e(mu_o);
-        let several = several * lost;
-        let both = several + one * (R::one() - lost);
-        (several > R::zero()).then(|| (&**table, several / both))
-    }
-}
-
 /// The lobes where several reflections have one of their own, which knows no mirror direction.
 const COMPENSATED: &[Lobe] = &[
     Lobe::reflection(Category::GlossySpecular).named("single scattering"),
     Lobe::reflection(Category::Diffuse).named("multiple scattering"),
 ];
 
-struct RoughConductor<R> {
-    distribution: Distribution<R>,
+struct RoughConductor<R, N, F, C> {
+    normals: N,
     masking: Masking,
-    fresnel: Fresnel<R>,
-    compensation: Compensation<R>,
+    fresnel: F,
+    compensation: C,
+    precision: PhantomData<R>,
 }
 
+/// Each choice becomes a type, so that each combination is compiled by itself and its loops carry no choice.
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    let fresnel = Fresnel::from_params(params);
-    let masking = Masking::from_params(params);
-    Box::new(RoughConductor {
-        distribution: Distribution::from_params(params),
-        masking,
-        compensation: Compensation::from_params(params, &fresnel, masking),
-        fresnel,
-    })
+    match Distribution::from_params(params) {
+        Distribution::Ggx(normals) => build_with_normals(params, normals),
+        Distribution::Beckmann(normals) => build_with_normals(params, normals),
+    }
 }
 
-impl<R: Real> RoughConductor<R> {
+fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
+    let spectrum = |name| Spectrum::of(params.rgb(name));
+    match params.choice("fresnel") {
+        "schlick" => build_with_fresnel(params, normals, Schlick(spectrum("f0"))),
+        "one" => build_with_fresnel(params, normals, One),
+        _ => {
+            let (eta, k) = (spectrum("eta"), spectrum("k"));
+            build_with_fresnel(params, normals, Conductor { eta, k })
+        }
+    }
+}
+
+fn build_with_fresnel<R: Real>(
+    params: &ParamSet,
+    normals: impl Normals<R>,
+    fresnel: impl FacetFresnel<R>,
+) -> Box<dyn Bxdf<R>> {
+    let masking = Masking::from_params(params);
+    match Compensation::from_params(params, &fresnel, masking) {
+        None => Box::new(RoughConductor {
+            normals,
+            masking,
+            fresnel,
+            compensation: Uncompensated,
+            precision: PhantomData,
+        }),
+        Some(compensation) => Box::new(RoughConductor {
+            normals,
+            masking,
+            fresnel,
+            compensation,
+            precision: PhantomData,
+        }),
+    }
+}
+
+impl<R, N, F, C> RoughConductor<R, N, F, C>
+where
+    R: Real,
+    N: Normals<R>,
+    F: FacetFresnel<R>,
+    C: SeveralFacets<R>,
+{
     /// The lobe of one reflection, of directions above the surface.
     #[inline(always)]
     fn single(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        half_vector(wo, wi).map_or(Spectrum::black(), |(wh, cos_d)| {
-            let lobe = self.distribution.lobe(wo, wi, wh, self.masking);
-            let value = self.fresnel.at(cos_d) * self.compensation.factor(wo.z);
-            (value * lobe).map(Real::saturated)
-        })
+        let Some((wh, cos_d)) = half_vector(wo, wi) else {
+            return Spectrum::black();
+        };
+        let lobe = self.normals.lobe(wo, wi, wh, self.masking);
+        let value = self.fresnel.at(cos_d) * self.compensation.factor(wo.z);
+        (value * lobe).saturated()
     }
 
     /// The density of the visible normals that reflect the one direction into the other, both above the surface.
     #[inline(always)]
     fn single_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        half_vector(wo, wi).map_or(R::zero(), |(wh, _)| {
-            self.distribution.reflection_pdf(wo, wh)
-        })
+        let Some((wh, _)) = half_vector(wo, wi) else {
+            return R::zero();
+        };
+        self.normals.reflection_pdf(wo, wh)
     }
 }
 
-impl<R: Real> Bxdf<R> for RoughConductor<R> {
+impl<R, N, F, C> Bxdf<R> for RoughConductor<R, N, F, C>
+where
+    R: Real,
+    N: Normals<R>,
+    F: FacetFresnel<R>,
+    C: SeveralFacets<R>,
+{
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| {
-            let sum = self.single(wo, wi) + self.compensation.lobe(wo.z, wi.z);
-            sum.map(Real::saturated)
-        })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        let sum = self.single(wo, wi) + self.compensation.lobe(wo.z, wi.z);
+        sum.saturated()
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return R::zero();
@@ -296,39 +215,50 @@ impl<R: Real> Bxdf<R> for RoughConductor<R> {
         }
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         let sample = sample_reflection(self, wo, |wo| match self.compensation.choice(wo.z) {
             Some((table, share)) if uc < share => Some(table.sample(u)),
-            _ => self.distribution.sample_reflection(wo, u),
+            _ => self.normals.sample_reflection(wo, u),
         });
         // The table's density begins at 0 where the loss does: the very end of a cell has none.
         sample.filter(|sample| sample.pdf > R::zero())
     }
 
     fn lobes(&self) -> &[Lobe] {
-        match self.compensation {
-            Compensation::KullaConty { .. } => COMPENSATED,
-            Compensation::None | Compensation::Turquin { .. } => SPEC.lobes,
+        if self.compensation.has_lobe() {
+            COMPENSATED
+        } else {
+            SPEC.lobes
         }
     }
 
+    #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        both_above(wo, wi).map_or(Spectrum::black(), |(wo, wi)| match index {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return Spectrum::black();
+        };
+        match index {
             0 => self.single(wo, wi),
             _ => self.compensation.lobe(wo.z, wi.z),
-        })
+        }
     }
 
+    #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| match index {
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        match index {
             0 => self.single_pdf(wo, wi),
             _ => warp::cosine_hemisphere_pdf(wi.z),
-        })
+        }
     }
 
+    #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         reflected_direction(wo, |wo| match index {
-            0 => self.distribution.sample_reflection(wo, u),
+            0 => self.normals.sample_reflection(wo, u),
             _ => Some(warp::cosine_hemisphere(u)),
         })
     }
@@ -337,8 +267,8 @@ impl<R: Real> Bxdf<R> for RoughConductor<R> {
         let (wo, wi) = both_above(wo, wi)?;
         let (wh, cos_d) = half_vector(wo, wi)?;
         Some(Microfacet {
-            d: self.distribution.d(wh),
-            g: self.distribution.g2(wo, wi, self.masking),
+            d: self.normals.d(wh),
+            g: self.normals.g2(wo, wi, self.masking),
             fresnel: self.fresnel.at(cos_d),
         })
     }

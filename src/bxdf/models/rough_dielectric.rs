@@ -19,7 +19,7 @@
 
 use super::*;
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, half_vector};
+use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Delta, Deltas, Microfacet, are_across, both_above, sample_deltas};
@@ -57,16 +57,23 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     },
 };
 
-struct RoughDielectric<R> {
+struct RoughDielectric<R, N> {
     eta: R,
-    distribution: Distribution<R>,
+    normals: N,
     masking: Masking,
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+    match Distribution::from_params(params) {
+        Distribution::Ggx(normals) => build_with(params, normals),
+        Distribution::Beckmann(normals) => build_with(params, normals),
+    }
+}
+
+fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
     Box::new(RoughDielectric {
         eta: R::of(params.number("eta")),
-        distribution: Distribution::from_params(params),
+        normals,
         masking: Masking::from_params(params),
     })
 }
@@ -84,7 +91,7 @@ struct Facet<R> {
     factor: R,
 }
 
-impl<R: Real> RoughDielectric<R> {
+impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
     /// The index on the other side over that on the side of `w`, and that less 1.
     #[inline(always)]
     fn index_across(&self, w: Vec3<R>) -> (R, R) {
@@ -96,6 +103,7 @@ impl<R: Real> RoughDielectric<R> {
         }
     }
 
+    #[inline(always)]
     fn is_nothing(&self) -> bool {
         self.eta == R::one()
     }
@@ -152,19 +160,26 @@ impl<R: Real> RoughDielectric<R> {
     #[inline(always)]
     fn value(&self, facet: &Facet<R>) -> Spectrum<R> {
         let lobe = self
-            .distribution
+            .normals
             .lobe(facet.wo, facet.wi, facet.wh, self.masking);
         Spectrum::grey((facet.share * facet.factor * lobe).saturated())
     }
 
+    #[inline(always)]
     fn value_of(&self, facet: Option<Facet<R>>) -> Spectrum<R> {
-        facet.map_or(Spectrum::black(), |facet| self.value(&facet))
+        let Some(facet) = facet else {
+            return Spectrum::black();
+        };
+        self.value(&facet)
     }
 
     /// The facet at the half vector of two directions: the one that mirrors, or the one that refracts.
     #[inline(always)]
     fn facet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
-        self.mirror(wo, wi).or_else(|| self.refractor(wo, wi))
+        match self.mirror(wo, wi) {
+            Some(facet) => Some(facet),
+            None => self.refractor(wo, wi),
+        }
     }
 
     /// The facet of the lobe at `index`.
@@ -203,7 +218,7 @@ impl<R: Real> RoughDielectric<R> {
         u: [R; 2],
         is_reflected: impl FnOnce(R) -> bool,
     ) -> Option<Vec3<R>> {
-        let wh = self.distribution.sample_visible_normal(wo, u)?;
+        let wh = self.normals.sample_visible_normal(wo, u)?;
         let cos = wo.dot(wh);
         if cos <= R::zero() {
             return None;
@@ -233,18 +248,22 @@ fn upright<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
     }
 }
 
-impl<R: Real> Bxdf<R> for RoughDielectric<R> {
+impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.value_of(self.facet(wo, wi))
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        self.facet(wo, wi).map_or(R::zero(), |facet| {
-            let pdf = self.distribution.reflection_pdf(facet.wo, facet.wh);
-            (facet.share * facet.stretch * pdf).saturated()
-        })
+        let Some(facet) = self.facet(wo, wi) else {
+            return R::zero();
+        };
+        let pdf = self.normals.reflection_pdf(facet.wo, facet.wh);
+        (facet.share * facet.stretch * pdf).saturated()
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         if self.is_nothing() {
             return sample_deltas(self.deltas(wo), uc);
@@ -264,17 +283,21 @@ impl<R: Real> Bxdf<R> for RoughDielectric<R> {
         SPEC.lobes
     }
 
+    #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.value_of(self.facet_of(index, wo, wi))
     }
 
+    #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        self.facet_of(index, wo, wi).map_or(R::zero(), |facet| {
-            let pdf = self.distribution.reflection_pdf(facet.wo, facet.wh);
-            (facet.stretch * pdf).saturated()
-        })
+        let Some(facet) = self.facet_of(index, wo, wi) else {
+            return R::zero();
+        };
+        let pdf = self.normals.reflection_pdf(facet.wo, facet.wh);
+        (facet.stretch * pdf).saturated()
     }
 
+    #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         self.draw(wo, u, |_| index == 0)
     }
@@ -282,8 +305,8 @@ impl<R: Real> Bxdf<R> for RoughDielectric<R> {
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
         let facet = self.facet(wo, wi)?;
         Some(Microfacet {
-            d: self.distribution.d(facet.wh),
-            g: self.distribution.g2(facet.wo, facet.wi, self.masking),
+            d: self.normals.d(facet.wh),
+            g: self.normals.g2(facet.wo, facet.wi, self.masking),
             fresnel: Spectrum::grey(facet.share),
         })
     }

@@ -96,14 +96,17 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for SpecularReflection<R> {
+    #[inline(always)]
     fn f(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
         Spectrum::black()
     }
 
+    #[inline(always)]
     fn pdf(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> R {
         R::zero()
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, _u: [R; 2]) -> Option<Sample<R>> {
         sample_deltas(self.deltas(wo), uc)
     }

@@ -90,6 +90,7 @@ impl<R: Real> Velvet<R> {
 }
 
 impl<R: Real> Bxdf<R> for Velvet<R> {
+    #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
@@ -101,12 +102,15 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
         self.reflectance * (self.d(wh) / denominator).saturated()
     }
 
+    #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |(wo, wi)| {
-            warp::mixed_hemisphere_pdf(Self::cosine_share(wo.z), wi.z)
-        })
+        let Some((wo, wi)) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        warp::mixed_hemisphere_pdf(Self::cosine_share(wo.z), wi.z)
     }
 
+    #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |wo| {
             Some(warp::mixed_hemisphere(Self::cosine_share(wo.z), uc, u))
@@ -117,10 +121,15 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
         SPEC.lobes
     }
 
+    #[inline(always)]
     fn lobe_pdf(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        both_above(wo, wi).map_or(R::zero(), |_| warp::uniform_hemisphere_pdf())
+        let Some(_) = both_above(wo, wi) else {
+            return R::zero();
+        };
+        warp::uniform_hemisphere_pdf()
     }
 
+    #[inline(always)]
     fn sample_lobe(&self, _index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         reflected_direction(wo, |_| Some(warp::uniform_hemisphere(u)))
     }

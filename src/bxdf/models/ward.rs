@@ -154,26 +154,33 @@ impl<R: Real> Ward<R> {
 }
 
 impl<R: Real> OverDiffuse<R> for Ward<R> {
+    #[inline(always)]
     fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        half_vector(wo, wi).map_or(Spectrum::black(), |(wh, cos_d)| {
-            self.specular * self.lobe(wo, wi, wh, cos_d)
-        })
+        let Some((wh, cos_d)) = half_vector(wo, wi) else {
+            return Spectrum::black();
+        };
+        self.specular * self.lobe(wo, wi, wh, cos_d)
     }
 
+    #[inline(always)]
     fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        half_vector(wo, wi).map_or(R::zero(), |(wh, cos_d)| {
-            (self.slopes.normal_pdf(wh) * R::of(0.25) / cos_d).saturated()
-        })
+        let Some((wh, cos_d)) = half_vector(wo, wi) else {
+            return R::zero();
+        };
+        (self.slopes.normal_pdf(wh) * R::of(0.25) / cos_d).saturated()
     }
 
+    #[inline(always)]
     fn sample_glossy(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         self.slopes.sample(u).map(|wh| reflected(wo, wh))
     }
 
+    #[inline(always)]
     fn diffuse(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
         self.diffuse
     }
 
+    #[inline(always)]
     fn shares(&self, _wo: Vec3<R>) -> [R; 2] {
         self.shares
     }

@@ -1,6 +1,7 @@
 //! Light at an interface: spectra of three channels and Fresnel's equations.
 
 pub mod diffuse_fresnel;
+pub mod facet_fresnel;
 pub mod fresnel;
 pub mod spectrum;
 

@@ -31,8 +31,17 @@ impl<R: Real> Spectrum<R> {
     /// The function `op` applied to each channel.
     #[must_use]
     #[inline(always)]
-    pub fn map(self, op: impl FnMut(R) -> R) -> Self {
-        Self(self.0.map(op))
+    pub fn map(self, op: impl Fn(R) -> R) -> Self {
+        let [a, b, c] = self.0;
+        Self([op(a), op(b), op(c)])
+    }
+
+    /// Each channel saturated; see [`Real::saturated`].
+    #[must_use]
+    #[inline(always)]
+    pub fn saturated(self) -> Self {
+        let [a, b, c] = self.0;
+        Self([a.saturated(), b.saturated(), c.saturated()])
     }
 
     /// The function `op` applied to the channels of two spectra, pair by pair.
@@ -61,7 +70,8 @@ impl<R: Real> Add for Spectrum<R> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([a + x, b + y, c + z])
     }
 }
 
@@ -69,7 +79,8 @@ impl<R: Real> Mul for Spectrum<R> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([a * x, b * y, c * z])
     }
 }
 
@@ -77,7 +88,8 @@ impl<R: Real> Mul<R> for Spectrum<R> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: R) -> Self {
-        self.map(|a| a * factor)
+        let [a, b, c] = self.0;
+        Self([a * factor, b * factor, c * factor])
     }
 }
 

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::cells::ESTIMATE;
 use super::pointwise::pairs;
 use super::statistics::relative_difference;
 use super::subject::Subject;
@@ -14,9 +15,6 @@ const SAME_SUM: f64 = 1e-14;
 /// Absolute error wanted of the integrals over the maps, and what they may take for it.
 const TOLERANCE: f64 = 1e-5;
 const MAX_EVALUATIONS: usize = 40_000;
-
-/// Both errors are estimates: where a kink crosses a cell they fall short by up to 2.7 (a blade of `ward`, 89.9 degrees).
-const ESTIMATE: f64 = 3.0;
 
 /// The lobes' values sum to f.
 pub(super) fn values(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::cells::{CellIntegral, Partition};
+use super::cells::{CellIntegral, ESTIMATE, Partition};
 use super::statistics::{Random, chi_square, relative_difference, sidak};
 use super::subject::Subject;
 use super::sweep::directions;
@@ -236,8 +236,10 @@ fn means(
         };
         // Rounding of a mean of n numbers and of the weights themselves, where nothing else is left.
         let rounding = 1e-9 * expected.abs();
-        let error =
-            STANDARD_ERRORS * variance.sqrt() + UNSEEN / found.n * largest + total.error + rounding;
+        let error = STANDARD_ERRORS * variance.sqrt()
+            + UNSEEN / found.n * largest
+            + ESTIMATE * total.error
+            + rounding;
         let witness = || {
             format!(
                 "{}: mean {mean}, integral {expected}",

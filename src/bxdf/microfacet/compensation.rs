@@ -1,0 +1,151 @@
+//! What becomes of light that meets several facets.
+
+use std::sync::Arc;
+
+use super::Masking;
+use super::multiple_scattering::EnergyTable;
+use crate::bxdf::math::Real;
+use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::facet_fresnel::FacetFresnel;
+use crate::bxdf::param::ParamSet;
+
+/// The part that several reflections have in a lobe.
+pub trait SeveralFacets<R: Real>: Send + Sync + 'static {
+    /// Whether they have a lobe of their own.
+    fn has_lobe(&self) -> bool;
+
+    /// That lobe at these cosines, in 1/sr.
+    fn lobe(&self, mu_o: R, mu_i: R) -> Spectrum<R>;
+
+    /// The factor on the lobe of one reflection.
+    fn factor(&self, mu_o: R) -> Spectrum<R>;
+
+    /// The table and the probability with which the lobe of several reflections is sampled: its share of the albedo.
+    fn choice(&self, mu_o: R) -> Option<(&EnergyTable, R)>;
+}
+
+/// None: light that meets a second facet is lost.
+#[derive(Clone, Copy, Debug)]
+pub struct Uncompensated;
+
+impl<R: Real> SeveralFacets<R> for Uncompensated {
+    fn has_lobe(&self) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn lobe(&self, _mu_o: R, _mu_i: R) -> Spectrum<R> {
+        Spectrum::black()
+    }
+
+    #[inline(always)]
+    fn factor(&self, _mu_o: R) -> Spectrum<R> {
+        Spectrum::grey(R::one())
+    }
+
+    #[inline(always)]
+    fn choice(&self, _mu_o: R) -> Option<(&EnergyTable, R)> {
+        None
+    }
+}
+
+/// Light that meets several facets is given back.
+pub enum Compensation<R> {
+    /// F_ms / (pi (1 - Ebar)) times (1 - E(mu_o)) (1 - E(mu_i)).
+    KullaConty {
+        /// 1 - E.
+        table: Arc<EnergyTable>,
+        /// F_ms / (pi (1 - Ebar)).
+        factor: Spectrum<R>,
+        /// Largest channels of F_ms and of Fbar, by which the two lobes are chosen.
+        weights: [R; 2],
+    },
+    /// One reflection times 1 + F0 (1 - E(mu_o)) / E(mu_o).
+    Turquin {
+        /// 1 - E.
+        table: Arc<EnergyTable>,
+        /// The reflectance at normal incidence.
+        f0: Spectrum<R>,
+    },
+}
+
+impl<R: Real> Compensation<R> {
+    /// The choice in `params`; `None` where several reflections are left out.
+    pub fn from_params(
+        params: &ParamSet,
+        fresnel: &impl FacetFresnel<R>,
+        masking: Masking,
+    ) -> Option<Self> {
+        let table = || {
+            let alpha = (params.number("alpha_x") * params.number("alpha_y")).sqrt();
+            EnergyTable::of(params.choice("distribution") == "beckmann", alpha, masking)
+        };
+        match params.choice("compensation") {
+            "kulla_conty" => {
+                let table = table();
+                let lost = R::of(table.one_minus_mean());
+                let mean = fresnel.mean();
+                let one = R::one();
+                let colour = mean.map(|f| f * f * (one - lost) / (one - f * lost));
+                let scale = if lost > R::zero() {
+                    R::FRAC_1_PI() / lost
+                } else {
+                    R::zero()
+                };
+                Some(Self::KullaConty {
+                    table,
+                    factor: colour * scale,
+                    weights: [colour.max_channel(), mean.max_channel()],
+                })
+            }
+            "turquin" => Some(Self::Turquin {
+                table: table(),
+                f0: fresnel.at(R::one()),
+            }),
+            _ => None,
+        }
+    }
+}
+
+impl<R: Real> SeveralFacets<R> for Compensation<R> {
+    fn has_lobe(&self) -> bool {
+        matches!(self, Self::KullaConty { .. })
+    }
+
+    /// The lobe of several reflections.
+    #[inline(always)]
+    fn lobe(&self, mu_o: R, mu_i: R) -> Spectrum<R> {
+        match self {
+            Self::KullaConty { table, factor, .. } => {
+                *factor * (table.one_minus_e(mu_o) * table.one_minus_e(mu_i))
+            }
+            Self::Turquin { .. } => Spectrum::black(),
+        }
+    }
+
+    /// The factor on the lobe of one reflection.
+    #[inline(always)]
+    fn factor(&self, mu_o: R) -> Spectrum<R> {
+        match self {
+            Self::Turquin { table, f0 } => {
+                let lost = table.one_minus_e(mu_o);
+                let ratio = lost / (R::one() - lost);
+                f0.map(|f0| R::one() + f0 * ratio)
+            }
+            Self::KullaConty { .. } => Spectrum::grey(R::one()),
+        }
+    }
+
+    /// The table and the probability with which the lobe of several reflections is sampled: its share of the albedo.
+    #[inline(always)]
+    fn choice(&self, mu_o: R) -> Option<(&EnergyTable, R)> {
+        let Self::KullaConty { table, weights, .. } = self else {
+            return None;
+        };
+        let [several, one] = *weights;
+        let lost = table.one_minus_e(mu_o);
+        let several = several * lost;
+        let both = several + one * (R::one() - lost);
+        (several > R::zero()).then(|| (&**table, several / both))
+    }
+}

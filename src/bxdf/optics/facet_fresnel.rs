@@ -1,0 +1,81 @@
+//! The reflectances a facet may have, as types: models are compiled for each.
+
+use super::{Spectrum, fresnel};
+use crate::bxdf::math::Real;
+use crate::bxdf::math::quadrature::gauss_legendre;
+
+/// The reflectance of a mirror facet.
+pub trait FacetFresnel<R: Real>: Copy + Send + Sync + 'static {
+    /// At the cosine `cos_d` with the facet's normal, 0..1.
+    fn at(&self, cos_d: R) -> Spectrum<R>;
+
+    /// The cosine-weighted mean Fbar = 2 int F(mu) mu dmu.
+    fn mean(&self) -> Spectrum<R>;
+}
+
+/// A conductor of index eta + i k, exactly.
+#[derive(Clone, Copy, Debug)]
+pub struct Conductor<R> {
+    /// The real part of the relative index.
+    pub eta: Spectrum<R>,
+    /// Its imaginary part.
+    pub k: Spectrum<R>,
+}
+
+/// Schlick's approximation, by the reflectance at normal incidence.
+#[derive(Clone, Copy, Debug)]
+pub struct Schlick<R>(pub Spectrum<R>);
+
+/// All light, at every angle.
+#[derive(Clone, Copy, Debug)]
+pub struct One;
+
+/// Nodes of the mean Fresnel reflectance: 1e-6 for metals; 1e-4 where the reflectance has the kink of a critical angle.
+const NODES: usize = 32;
+
+impl<R: Real> FacetFresnel<R> for Conductor<R> {
+    #[inline(always)]
+    fn at(&self, cos_d: R) -> Spectrum<R> {
+        // Spelled out: a closure of this size, called three times, would stay a call, and no loop over it vectorise.
+        let ([n0, n1, n2], [k0, k1, k2]) = (self.eta.0, self.k.0);
+        Spectrum([
+            fresnel::conductor(cos_d, n0, k0),
+            fresnel::conductor(cos_d, n1, k1),
+            fresnel::conductor(cos_d, n2, k2),
+        ])
+    }
+
+    fn mean(&self) -> Spectrum<R> {
+        // mu = x^2 puts the nodes where a good conductor's reflectance bends, near grazing.
+        gauss_legendre(NODES)
+            .into_iter()
+            .fold(Spectrum::black(), |sum, (node, weight)| {
+                let x = (R::one() + R::of(node)) * R::of(0.5);
+                let measure = R::of(2.0) * x * x * x * R::of(weight);
+                sum + self.at(x * x) * measure
+            })
+    }
+}
+
+impl<R: Real> FacetFresnel<R> for Schlick<R> {
+    #[inline(always)]
+    fn at(&self, cos_d: R) -> Spectrum<R> {
+        self.0.map(|f0| fresnel::schlick(cos_d, f0))
+    }
+
+    fn mean(&self) -> Spectrum<R> {
+        // 2 int (1 - mu)^5 mu dmu = 1/21.
+        self.0.map(|f0| f0 + (R::one() - f0) / R::of(21.0))
+    }
+}
+
+impl<R: Real> FacetFresnel<R> for One {
+    #[inline(always)]
+    fn at(&self, _cos_d: R) -> Spectrum<R> {
+        Spectrum::grey(R::one())
+    }
+
+    fn mean(&self) -> Spectrum<R> {
+        Spectrum::grey(R::one())
+    }
+}

@@ -1,0 +1,140 @@
+//! `bench`: nanoseconds per evaluation of the models, on this machine.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::{args, check, output};
+use crate::bxdf::models::MODELS;
+use crate::bxdf::{Material, Precision, Side, batch};
+use crate::error::{Error, Result};
+use crate::lab::speed::{Mode, Operation, PAIRS, Pairs, Row, measure};
+
+#[derive(clap::Args)]
+pub(super) struct Arguments {
+    /// The materials: id, id:name=value,name=value, or a .toml file; every model if none is named
+    #[arg(value_parser = args::material)]
+    materials: Vec<Material>,
+    /// A file of nine arrays of little-endian f32, one after the other: wo_x, wo_y, wo_z, wi_x, wi_y, wi_z, uc, u0, u1
+    #[arg(long)]
+    pairs: Option<PathBuf>,
+    /// Threads of the parallel rows; all by default
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed.
+#[derive(Serialize)]
+struct Report {
+    machine: String,
+    instruction_set: String,
+    threads: usize,
+    pairs: usize,
+    rows: Vec<Row>,
+}
+
+/// Measures and prints.
+///
+/// # Errors
+/// Where the file of pairs cannot be read or holds no nine arrays, and where standard output cannot be written.
+pub(super) fn run(arguments: &Arguments) -> Result<()> {
+    let file = arguments.pairs.as_deref().map(read).transpose()?;
+    if let Some(threads) = arguments.threads {
+        // A second pool cannot be installed; this is the first use of the pool in the process.
+        let _ = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.into())
+            .build_global();
+    }
+    let materials = if arguments.materials.is_empty() {
+        MODELS.into_iter().map(Material::of).collect()
+    } else {
+        arguments.materials.clone()
+    };
+    let rows: Vec<Row> = materials
+        .iter()
+        .flat_map(|material| {
+            let mut rows = rows::<f32>(material, file.as_deref());
+            rows.extend(self::rows::<f64>(material, file.as_deref()));
+            rows
+        })
+        .collect();
+    let report = Report {
+        machine: check::machine(),
+        instruction_set: batch::instruction_set(),
+        threads: rayon::current_num_threads(),
+        pairs: file.map_or(PAIRS, |values| values.len() / ARRAYS),
+        rows,
+    };
+    if arguments.json {
+        output::print_json(&report)
+    } else {
+        output::print(&report.table())
+    }
+}
+
+fn rows<R: Precision>(material: &Material, file: Option<&[f64]>) -> Vec<Row> {
+    let pairs: Pairs<R> = file.map_or_else(
+        || Pairs::random(PAIRS, material.has_side(Side::Transmission)),
+        Pairs::from_arrays,
+    );
+    let mut rows = Vec::new();
+    for operation in Operation::ALL {
+        for mode in Mode::ALL {
+            rows.push(measure(material, &pairs, operation, mode));
+        }
+    }
+    rows
+}
+
+/// Arrays in a file of pairs.
+const ARRAYS: usize = 9;
+
+/// The numbers of a file of pairs.
+fn read(path: &Path) -> Result<Vec<f64>> {
+    let bytes = std::fs::read(path).map_err(|error| Error::io(path, error))?;
+    let (numbers, rest) = bytes.as_chunks::<4>();
+    if numbers.is_empty() || numbers.len() % ARRAYS != 0 || !rest.is_empty() {
+        let problem = format!(
+            "{} bytes are not nine arrays of 32-bit numbers of one length",
+            bytes.len()
+        );
+        return Err(Error::parse(path.display().to_string(), problem));
+    }
+    let number = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
+    Ok(numbers.iter().map(number).collect())
+}
+
+impl Report {
+    fn table(&self) -> String {
+        let mut text = format!(
+            "{}, {}, {} pairs; nanoseconds per evaluation, median [quartiles]\n",
+            self.machine, self.instruction_set, self.pairs
+        );
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{:<40} {:<4} {:<8} {:>22} {:>22} {:>22}",
+            "material", "", "", "plain", "dispatched", "parallel"
+        );
+        for modes in self.rows.chunks(Mode::ALL.len()) {
+            let Some(first) = modes.first() else { continue };
+            let operation = format!("{:?}", first.operation).to_lowercase();
+            let _ = write!(
+                text,
+                "{:<40} {:<4} {operation:<8}",
+                first.material, first.precision
+            );
+            for row in modes {
+                let [low, high] = row.spread;
+                let cell = format!("{:.2} [{low:.2} {high:.2}]", row.ns);
+                let _ = write!(text, " {cell:>22}");
+            }
+            text.push('\n');
+        }
+        text
+    }
+}

@@ -1,0 +1,309 @@
+//! How fast the models are: nanoseconds per evaluation of whole batches, measured on this machine.
+
+use std::time::Instant;
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng as _, SeedableRng as _};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::math::Real;
+use crate::bxdf::{Bxdf, Material, Precision};
+
+/// Pairs of directions of a batch: their arrays are beyond every cache, as a renderer's are.
+pub const PAIRS: usize = 1 << 20;
+
+/// Pairs that one task of a parallel run takes.
+const CHUNK: usize = 1 << 14;
+
+/// Timed repetitions of each measurement.
+const REPETITIONS: usize = 11;
+
+/// Seed of the directions.
+const SEED: u64 = 0x5eed;
+
+/// The directions and random numbers of a benchmark, component by component.
+#[derive(Clone, Debug)]
+pub struct Pairs<R> {
+    wo: [Vec<R>; 3],
+    wi: [Vec<R>; 3],
+    /// uc, then the two of u.
+    numbers: [Vec<R>; 3],
+}
+
+impl<R: Real> Pairs<R> {
+    /// `n` pairs: wo uniform over the upper hemisphere, wi over the upper one, or over the sphere where `is_crossing`.
+    #[must_use]
+    pub fn random(n: usize, is_crossing: bool) -> Self {
+        let mut generator = Pcg64Mcg::seed_from_u64(SEED);
+        let mut unit = || (generator.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON);
+        let mut directions = |lowest: f64| {
+            let mut axes = [(); 3].map(|()| Vec::with_capacity(n));
+            for _ in 0..n {
+                let z = lowest + (1.0 - lowest) * unit();
+                let (sin, cos) = (std::f64::consts::TAU * unit()).sin_cos();
+                let radius = ((1.0 - z) * (1.0 + z)).sqrt();
+                let components = [radius * cos, radius * sin, z];
+                axes.iter_mut()
+                    .zip(components)
+                    .for_each(|(axis, x)| axis.push(R::of(x)));
+            }
+            axes
+        };
+        let wo = directions(0.0);
+        let wi = directions(if is_crossing { -1.0 } else { 0.0 });
+        let numbers = [(); 3].map(|()| (0..n).map(|_| R::of(unit()).min(below_one())).collect());
+        Self { wo, wi, numbers }
+    }
+
+    /// Pairs from the nine arrays wo, wi, uc, u, each of `values.len() / 9` numbers, one after the other.
+    #[must_use]
+    pub fn from_arrays(values: &[f64]) -> Self {
+        let n = values.len() / 9;
+        let axis = |index: usize| {
+            let range = values.get(index * n..(index + 1) * n);
+            let range = range.unwrap_or_default();
+            range.iter().map(|x| R::of(*x)).collect::<Vec<R>>()
+        };
+        Self {
+            wo: [axis(0), axis(1), axis(2)],
+            wi: [axis(3), axis(4), axis(5)],
+            numbers: [axis(6), axis(7), axis(8)],
+        }
+    }
+
+    /// How many they are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        let [x, ..] = &self.wo;
+        x.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+fn below_one<R: Real>() -> R {
+    R::one() - R::of(R::UNIT_ROUNDOFF)
+}
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Operation {
+    /// The value.
+    F,
+    /// The density.
+    Pdf,
+    /// Both.
+    FPdf,
+    /// A sample with its value and density.
+    SampleF,
+}
+
+impl Operation {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::F, Self::Pdf, Self::FPdf, Self::SampleF];
+}
+
+/// How the batch is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Mode {
+    /// One thread, for the instruction set every machine of its kind has.
+    Plain,
+    /// One thread, for the best this machine has.
+    Dispatched,
+    /// The same on all threads of the pool.
+    Parallel,
+}
+
+impl Mode {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Plain, Self::Dispatched, Self::Parallel];
+}
+
+/// One measurement.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// The material, as text.
+    pub material: String,
+    /// The name of the precision.
+    pub precision: &'static str,
+    /// How it was run.
+    pub path: Mode,
+    /// What was run.
+    pub operation: Operation,
+    /// Nanoseconds per evaluation, the median of the repetitions.
+    pub ns: f64,
+    /// The first and the third quartile.
+    pub spread: [f64; 2],
+}
+
+/// Measures `operation` of `material` on `pairs`.
+#[must_use]
+pub fn measure<R: Precision>(
+    material: &Material,
+    pairs: &Pairs<R>,
+    operation: Operation,
+    mode: Mode,
+) -> Row {
+    let bxdf = material.build::<R>();
+    let mut out: Vec<Vec<R>> = vec![vec![R::zero(); pairs.len()]; OUTPUTS];
+    // Once to warm up: the pages of the output are touched, the clock is raised.
+    run(&*bxdf, pairs, operation, mode, &mut out);
+    let mut times: Vec<f64> = (0..REPETITIONS)
+        .map(|_| {
+            let start = Instant::now();
+            run(&*bxdf, pairs, operation, mode, &mut out);
+            start.elapsed().as_secs_f64() * 1e9 / pairs.len() as f64
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    let rank = |share: usize| {
+        let index = (REPETITIONS - 1) * share / 4;
+        times.get(index).copied().unwrap_or(f64::NAN)
+    };
+    Row {
+        material: material.to_string(),
+        precision: R::NAME,
+        path: mode,
+        operation,
+        ns: rank(2),
+        spread: [rank(1), rank(3)],
+    }
+}
+
+/// Arrays that a job writes at most.
+const OUTPUTS: usize = 8;
+
+fn run<R: Precision>(
+    bxdf: &dyn Bxdf<R>,
+    pairs: &Pairs<R>,
+    operation: Operation,
+    mode: Mode,
+    out: &mut [Vec<R>],
+) {
+    let whole = Part::of(pairs, out);
+    match mode {
+        Mode::Plain => whole.run(bxdf, operation, Path::Plain),
+        Mode::Dispatched => whole.run(bxdf, operation, Path::Dispatched),
+        Mode::Parallel => whole
+            .split(CHUNK)
+            .into_par_iter()
+            .for_each(|part| part.run(bxdf, operation, Path::Dispatched)),
+    }
+}
+
+/// A stretch of the pairs and of the outputs.
+struct Part<'a, R> {
+    given: [&'a [R]; 9],
+    out: [&'a mut [R]; OUTPUTS],
+}
+
+impl<'a, R: Precision> Part<'a, R> {
+    fn of(pairs: &'a Pairs<R>, out: &'a mut [Vec<R>]) -> Self {
+        let axes = pairs.wo.iter().chain(&pairs.wi).chain(&pairs.numbers);
+        let mut axes = axes.map(Vec::as_slice);
+        let mut outputs = out.iter_mut().map(Vec::as_mut_slice);
+        Self {
+            given: [(); 9].map(|()| axes.next().unwrap_or_default()),
+            out: [(); OUTPUTS].map(|()| outputs.next().unwrap_or_default()),
+        }
+    }
+
+    /// Parts of `length` pairs each, the last shorter.
+    fn split(self, length: usize) -> Vec<Self> {
+        let n = self.given.iter().map(|axis| axis.len()).min().unwrap_or(0);
+        let mut rest = self.out;
+        (0..n)
+            .step_by(length)
+            .map(|start| {
+                let end = (start + length).min(n);
+                let given = self
+                    .given
+                    .map(|axis| axis.get(start..end).unwrap_or_default());
+                let (first, others) = split_all(std::mem::take(&mut rest), end - start);
+                rest = others;
+                Self { given, out: first }
+            })
+            .collect()
+    }
+
+    fn run(self, bxdf: &dyn Bxdf<R>, operation: Operation, path: Path) {
+        let [ox, oy, oz, ix, iy, iz, uc, u, v] = self.given;
+        let (wo, wi) = ([ox, oy, oz], [ix, iy, iz]);
+        let [r, g, b, pdf, x, y, z, delta] = self.out;
+        let f = [r, g, b];
+        let job = match operation {
+            Operation::F => Job::F { wo, wi, f },
+            Operation::Pdf => Job::Pdf { wo, wi, pdf },
+            Operation::FPdf => Job::FPdf { wo, wi, f, pdf },
+            Operation::SampleF => Job::Sample {
+                wo,
+                uc,
+                u: [u, v],
+                wi: [x, y, z],
+                f,
+                pdf,
+                delta,
+            },
+        };
+        bxdf.batch(path, job);
+    }
+}
+
+type Slices<'a, R> = [&'a mut [R]; OUTPUTS];
+
+fn split_all<R>(slices: Slices<'_, R>, at: usize) -> (Slices<'_, R>, Slices<'_, R>) {
+    let mut rest: Slices<'_, R> = Default::default();
+    let mut index = 0;
+    let first = slices.map(|slice| {
+        let (head, tail) = slice.split_at_mut_checked(at).unwrap_or_default();
+        if let Some(slot) = rest.get_mut(index) {
+            *slot = tail;
+        }
+        index += 1;
+        head
+    });
+    (first, rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_mode_fills_the_same_outputs() {
+        let material: Material = "rough_dielectric".parse().unwrap();
+        let bxdf = material.build::<f32>();
+        let pairs = Pairs::<f32>::random(CHUNK + 777, true);
+        for operation in Operation::ALL {
+            let results = Mode::ALL.map(|mode| {
+                let mut out = vec![vec![0.0_f32; pairs.len()]; OUTPUTS];
+                run(&*bxdf, &pairs, operation, mode, &mut out);
+                out
+            });
+            assert!(results[0] == results[1] && results[1] == results[2]);
+            let last_pdf = results[0][3].last().copied().unwrap_or(0.0);
+            assert!(operation == Operation::F || last_pdf.is_finite());
+        }
+    }
+
+    #[test]
+    fn a_measurement_names_what_was_measured() {
+        let material: Material = "lambertian_reflection".parse().unwrap();
+        let pairs = Pairs::<f64>::from_arrays(&vec![0.5; 9 * 640]);
+        assert!(pairs.len() == 640 && !pairs.is_empty());
+        let row = measure(&material, &pairs, Operation::Pdf, Mode::Dispatched);
+        assert!(row.ns > 0.0 && row.spread[0] <= row.ns && row.ns <= row.spread[1]);
+        assert_eq!(
+            (row.precision, row.material.as_str()),
+            ("f64", "lambertian_reflection")
+        );
+    }
+}
