@@ -5,11 +5,12 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::{args, output};
+use super::args::{self, Given};
+use super::output;
 use crate::analysis::isotropy;
 use crate::analysis::reflectance::{LobeShare, MAX_EVALUATIONS, Reflectance, lobe_shares};
+use crate::bxdf::Bxdf;
 use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::{Bxdf, Material};
 use crate::error::Result;
 
 /// The absolute error asked of the quadrature: a few digits beyond those printed, at no wait for any model.
@@ -17,9 +18,9 @@ const TOLERANCE: f64 = 1e-9;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id, id:name=value,name=value, or a .toml file
+    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
     #[arg(value_parser = args::material)]
-    material: Material,
+    material: Given,
     /// The polar angles of incidence in degrees, 0 to 180
     #[arg(
         long,
@@ -76,7 +77,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
 }
 
 fn report(arguments: &Arguments) -> Report {
-    let material = &arguments.material;
+    let material = arguments.material.checked();
     let bxdf = material.build::<f64>();
     let row = |&theta: &f64| row(&*bxdf, theta, arguments.phi);
     Report {

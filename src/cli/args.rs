@@ -4,9 +4,11 @@ use std::path::Path;
 
 use xprec::Df64;
 
+use super::{energy, say};
 use crate::bxdf::Material;
-use crate::bxdf::material;
+use crate::bxdf::material::{self, library};
 use crate::bxdf::math::Real;
+use crate::bxdf::models::{self, MODELS};
 use crate::error::{Error, Result};
 
 /// The word that stands for standard input or output.
@@ -17,14 +19,65 @@ pub(super) fn is_standard_stream(path: &Path) -> bool {
     path == Path::new(STANDARD_STREAM)
 }
 
-/// Reads a material: `id`, `id:name=value,name=value`, or the path of a material file.
-pub(super) fn material(text: &str) -> Result<Material> {
+/// A material as it was given, and the file it stands in.
+#[derive(Clone, Debug)]
+pub(super) struct Given {
+    material: Material,
+    file: Option<String>,
+}
+
+impl Given {
+    /// The material. Where it is a file of several lobes that create energy, one line on standard error says so.
+    pub(super) fn checked(&self) -> &Material {
+        if let Some(file) = &self.file
+            && let Some(excess) = energy::created(&self.material)
+        {
+            say(&format!("warning: {file} creates energy: {excess}"));
+        }
+        &self.material
+    }
+}
+
+/// Reads a material: the id of a model, `id:name=value,name=value`, the id of a named material, or the path of a material
+/// file.
+pub(super) fn material(text: &str) -> Result<Given> {
     let path = Path::new(text);
-    if path.extension().is_none_or(|extension| extension != "toml") {
+    if path
+        .extension()
+        .is_some_and(|extension| extension == "toml")
+    {
+        let file = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
+        return Ok(Given {
+            material: material::file::parse(&file, text)?,
+            file: Some(text.to_owned()),
+        });
+    }
+    Ok(Given {
+        material: by_id(text)?,
+        file: None,
+    })
+}
+
+/// Reads what stands in no file.
+fn by_id(text: &str) -> Result<Material> {
+    let (id, parameters) = text
+        .split_once(':')
+        .map_or((text.trim(), None), |(id, rest)| (id.trim(), Some(rest)));
+    if models::find(id).is_ok() {
         return text.parse();
     }
-    let file = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
-    material::file::parse(&file, text)
+    match (library::find(id), parameters) {
+        (Ok(named), None) => Ok(named.material.clone()),
+        (Ok(_), Some(_)) => Err(Error::parse(
+            format!("material '{text}'"),
+            "a named material takes no parameters; write a .toml file, or name a model",
+        )),
+        (Err(_), _) => {
+            let models = MODELS.into_iter().map(|model| model.id);
+            let named = library::all().iter().map(|named| named.id);
+            Err(Error::unknown("material", id, models.chain(named)))
+        }
+    }
 }
 
 /// A precision, by name.
@@ -132,6 +185,23 @@ mod tests {
             ("30,", "phi '': expected a finite number of degrees"),
         ] {
             assert_eq!(angles(text).unwrap_err().to_string(), expected);
+        }
+    }
+
+    #[test]
+    fn materials_go_by_the_ids_of_both_lists() {
+        assert_eq!(by_id("gold").unwrap().name, "Gold");
+        assert_eq!(by_id("phong").unwrap().name, "");
+        for (text, expected) in [
+            ("golf", "unknown material 'golf'; nearest: gold"),
+            ("oren", "unknown material 'oren'; nearest: oren_nayar"),
+            (
+                "gold:alpha=0.2",
+                "material 'gold:alpha=0.2': a named material takes no parameters",
+            ),
+        ] {
+            let line = by_id(text).unwrap_err().to_string();
+            assert!(line.starts_with(expected), "{line}");
         }
     }
 

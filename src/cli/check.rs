@@ -4,17 +4,17 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::{args, output};
-use crate::bxdf::Material;
+use super::args::{self, Given};
+use super::output;
 use crate::bxdf::models::MODELS;
 use crate::error::Result;
 use crate::lab::contract::{Effort, LawReport, check_all, check_material};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id, id:name=value,name=value, or a .toml file
+    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
     #[arg(value_parser = args::material, required_unless_present = "all", conflicts_with = "all")]
-    material: Option<Material>,
+    material: Option<Given>,
     /// Check every model over a sweep of its parameters
     #[arg(long)]
     all: bool,
@@ -53,7 +53,8 @@ struct Summary {
 /// Where standard output cannot be written.
 pub(super) fn run(arguments: &Arguments) -> Result<bool> {
     let models = match &arguments.material {
-        Some(material) => {
+        Some(given) => {
+            let material = given.checked();
             vec![Model {
                 id: material.to_string(),
                 laws: check_material(material, Effort::Thorough),

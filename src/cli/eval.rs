@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use xprec::Df64;
 
-use super::args::{self, PrecisionName, STANDARD_STREAM};
+use super::args::{self, Given, PrecisionName, STANDARD_STREAM};
 use super::input::{COLUMNS, Rows};
 use super::output::Table;
 use super::say;
+use crate::bxdf::Precision;
 use crate::bxdf::math::Real;
-use crate::bxdf::{Material, Precision};
 use crate::error::Result;
 
 /// The columns added to those read.
@@ -17,9 +17,9 @@ const RESULTS: [&str; 4] = ["f_r", "f_g", "f_b", "pdf"];
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id, id:name=value,name=value, or a .toml file
+    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
     #[arg(value_parser = args::material)]
-    material: Material,
+    material: Given,
     /// The precision of the arithmetic: f32, f64 or reference
     #[arg(long, value_parser = args::precision, default_value = <f64 as Real>::NAME)]
     precision: PrecisionName,
@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
 }
 
 fn evaluate<R: Precision>(arguments: &Arguments) -> Result<()> {
-    let bxdf = arguments.material.build::<R>();
+    let bxdf = arguments.material.checked().build::<R>();
     let mut rows = Rows::open(&arguments.input)?;
     let header: Vec<&str> = COLUMNS.into_iter().chain(RESULTS).collect();
     let mut table = Table::open(&arguments.output, &header)?;

@@ -7,6 +7,7 @@ mod albedo;
 mod args;
 mod bench;
 mod check;
+mod energy;
 mod eval;
 mod input;
 mod models;

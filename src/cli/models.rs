@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::{Value as Json, json};
 
 use super::output;
+use crate::bxdf::material::library::{self, Named};
 use crate::bxdf::models::MODELS;
 use crate::bxdf::param::{Kind, ParamSpec, Value};
 use crate::bxdf::{Category, Lobe, ModelSpec};
@@ -21,9 +22,10 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<()> {
     if arguments.json {
         let models: Vec<Json> = MODELS.into_iter().map(model_json).collect();
-        output::print_json(&json!({ "models": models }))
+        let materials: Vec<Json> = library::all().iter().map(material_json).collect();
+        output::print_json(&json!({ "models": models, "materials": materials }))
     } else {
-        output::print(&listing())
+        output::print(&(listing() + &materials_listing()))
     }
 }
 
@@ -82,6 +84,18 @@ fn model_json(model: &ModelSpec) -> Json {
     })
 }
 
+fn material_json(named: &Named) -> Json {
+    let material = &named.material;
+    json!({
+        "id": named.id,
+        "name": material.name,
+        "category": material.category().id(),
+        "note": material.note,
+        "source": material.source,
+        "text": material.to_string(),
+    })
+}
+
 /// What holds for the model at its default parameters, and the laws it declares to break.
 fn properties_json(model: &ModelSpec) -> Json {
     let defaults = model.defaults();
@@ -128,7 +142,9 @@ fn listing() -> String {
         }
         text.push('\n');
     }
-    text.push_str("A material is written as id or id:name=value,name=value\n");
+    text.push_str(
+        "A material is written as id, as id:name=value,name=value, or by the id of a named one\n",
+    );
     text
 }
 
@@ -167,6 +183,16 @@ fn parameters(model: &ModelSpec) -> Vec<(String, String, &'static str)> {
         .collect()
 }
 
+/// The named materials for people.
+fn materials_listing() -> String {
+    let all = library::all();
+    let width = widest(all.iter().map(|named| named.id));
+    all.iter()
+        .fold("\nNamed materials\n".to_owned(), |text, named| {
+            text + &format!("  {:width$}  {}\n", named.id, named.material.name)
+        })
+}
+
 fn widest<'a>(texts: impl Iterator<Item = &'a str>) -> usize {
     texts.map(|text| text.chars().count()).max().unwrap_or(0)
 }
@@ -184,6 +210,10 @@ mod tests {
         for category in Category::ALL {
             let heading = category.title();
             assert_eq!(text.lines().filter(|line| *line == heading).count(), 1);
+        }
+        let text = materials_listing();
+        for named in library::all() {
+            assert_eq!(text.matches(&format!("  {} ", named.id)).count(), 1);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::args::{self, Angles};
+use super::args::{self, Angles, Given};
 use crate::analysis::Hold;
 use crate::bxdf::Material;
 use crate::error::{Error, Result};
@@ -22,9 +22,9 @@ pub struct Arguments {
     /// The session to start from
     #[arg(long, value_name = "FILE")]
     session: Option<PathBuf>,
-    /// The material to show: id, id:name=value,name=value, or a .toml file
+    /// The material to show: id of a model or named material, id:name=value,name=value, or a .toml file
     #[arg(long = "material", value_name = "MATERIAL", value_parser = args::material)]
-    materials: Vec<Material>,
+    materials: Vec<Given>,
     /// The direction held while the lobe is drawn over the other: wi or wo
     #[arg(long, value_parser = hold)]
     hold: Option<Hold>,
@@ -103,7 +103,11 @@ impl Arguments {
     pub fn request(&self) -> Result<RenderArgs> {
         let request = RenderArgs {
             session: self.session.clone(),
-            materials: self.materials.clone(),
+            materials: self
+                .materials
+                .iter()
+                .map(|given| given.checked().clone())
+                .collect(),
             hold: self.hold,
             direction_deg: self
                 .direction
@@ -337,7 +341,10 @@ mod tests {
                 "--direction 200,0",
                 "theta '200': expected 0 to 180 degrees",
             ),
-            ("--material plaster", "unknown model 'plaster'"),
+            (
+                "--material plastre",
+                "unknown material 'plastre'; nearest: plast",
+            ),
         ] {
             let message = parse(&format!("{line} -o a.png")).unwrap_err();
             assert!(message.contains(expected), "{line}: {message}");

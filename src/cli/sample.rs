@@ -6,11 +6,11 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use xprec::Df64;
 
-use super::args::{self, Angles, PrecisionName, STANDARD_STREAM};
+use super::args::{self, Angles, Given, PrecisionName, STANDARD_STREAM};
 use super::output::Table;
+use crate::bxdf::Precision;
 use crate::bxdf::math::Real;
 use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::{Material, Precision};
 use crate::error::{Error, Result};
 
 /// The columns written.
@@ -23,9 +23,9 @@ const MAX_SAMPLES: u64 = 1_000_000_000;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id, id:name=value,name=value, or a .toml file
+    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
     #[arg(value_parser = args::material)]
-    material: Material,
+    material: Given,
     /// The direction to the viewer in degrees, theta from the normal
     #[arg(long, value_name = "THETA,PHI", value_parser = args::angles, allow_hyphen_values = true)]
     wo: Angles,
@@ -75,7 +75,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
 }
 
 fn draw<R: Precision>(arguments: &Arguments) -> Result<()> {
-    let bxdf = arguments.material.build::<R>();
+    let bxdf = arguments.material.checked().build::<R>();
     let wo = direction_from_degrees(arguments.wo.theta_deg, arguments.wo.phi_deg).into();
     let mut generator = Pcg64Mcg::seed_from_u64(arguments.seed);
     let mut table = Table::open(&arguments.output, &COLUMNS)?;

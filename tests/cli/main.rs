@@ -101,7 +101,7 @@ fn materials_are_refused_with_what_is_allowed() {
     for (material, expected) in [
         (
             "lambert",
-            "error: unknown model 'lambert'; nearest: lambertian_reflection",
+            "error: unknown material 'lambert'; nearest: lambertian_reflection",
         ),
         (
             "oren_nayar:sigma=91",
@@ -117,13 +117,53 @@ fn materials_are_refused_with_what_is_allowed() {
         ),
         ("rough_conductor:eta=0,k=0", "may not both be 0"),
         ("oren_nayar:sigma", "'sigma' is not name=value"),
-        ("lambert\nian", "error: unknown model 'lambert ian'"),
-        ("", "error: unknown model ''"),
+        ("lambert\nian", "error: unknown material 'lambert ian'"),
+        ("", "error: unknown material ''"),
     ] {
         for verb in ["eval", "albedo"] {
             let line = refused(&[verb, material], "");
             assert!(line.contains(expected), "{line}");
         }
+    }
+}
+
+#[test]
+fn a_named_material_stands_wherever_a_material_may() {
+    let report = json(&done(&["albedo", "gold", "--theta", "0", "--json"], ""));
+    assert!(
+        report["material"]
+            .as_str()
+            .unwrap()
+            .starts_with("rough_conductor:")
+    );
+    let table = done(&["eval", "gold"], &format!("{HEADER}0,0,1,0,0,1\n"));
+    assert_eq!(rows(&table).len(), 1);
+    let report = json(&done(&["models", "--json"], ""));
+    let materials = report["materials"].as_array().unwrap();
+    assert!(materials.iter().any(|named| named["id"] == "gold"));
+}
+
+#[test]
+fn lobes_that_create_energy_are_warned_of() {
+    let folder = folder("energy");
+    let lobe = "[[lobes]]\nmodel = \"lambertian_reflection\"\nreflectance = 0.6\n";
+    let two = folder.join("two.toml");
+    fs::write(&two, lobe.repeat(2)).unwrap();
+    let path = two.to_str().unwrap();
+    let output = run_with_input(&["albedo", path, "--theta", "0"], "");
+    assert_eq!(output.status.code(), Some(0));
+    let line = stderr(&output);
+    assert_eq!(line.lines().count(), 1, "{line}");
+    assert!(line.starts_with("warning: ") && line.contains("two.toml creates energy: 1.2"));
+    assert!(line.contains("theta 0 degrees"), "{line}");
+    assert!(stdout(&output).contains("1.200000"));
+    let output = run_with_input(&["check", path], "");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("creates energy"));
+    // One lobe, and two that share the light, are fine.
+    for text in [lobe, &format!("{lobe}weight = 0.5\n{lobe}weight = 0.5\n")] {
+        fs::write(&two, text).unwrap();
+        done(&["albedo", path, "--theta", "0"], "");
     }
 }
 

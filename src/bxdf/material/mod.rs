@@ -2,6 +2,7 @@
 
 mod component;
 pub mod file;
+pub mod library;
 mod mixture;
 
 use std::fmt;

@@ -1,0 +1,125 @@
+//! The library: the materials of `assets/materials`, by name, embedded in the program.
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use include_dir::{Dir, include_dir};
+
+use super::{Material, file};
+use crate::error::{Error, Result};
+
+/// The files. Their folder is the one list of them.
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/materials");
+
+static ALL: LazyLock<Vec<Named>> = LazyLock::new(|| {
+    // A test reads every file: none is left out here.
+    let read = |file| named(file).ok();
+    let mut all: Vec<Named> = files().filter_map(read).collect();
+    all.sort_by(|a, b| {
+        let key = |named: &Named| {
+            (
+                named.material.category(),
+                named.material.name.to_lowercase(),
+            )
+        };
+        key(a).cmp(&key(b))
+    });
+    all
+});
+
+/// A material of the library.
+#[derive(Debug)]
+pub struct Named {
+    /// The id: the name of its file without `.toml`, a command-line word.
+    pub id: &'static str,
+    /// The material; it has a name.
+    pub material: Material,
+}
+
+/// Every material of the library, by category, then by name.
+#[must_use]
+pub fn all() -> &'static [Named] {
+    &ALL
+}
+
+/// The material of the library with this id.
+///
+/// # Errors
+/// [`Error::UnknownId`], with the nearest ids.
+pub fn find(id: &str) -> Result<&'static Named> {
+    all()
+        .iter()
+        .find(|named| named.id == id)
+        .ok_or_else(|| Error::unknown("material", id, all().iter().map(|named| named.id)))
+}
+
+/// The material of the library that `material` is, or was before its components were changed: the one of its name.
+#[must_use]
+pub fn origin(material: &Material) -> Option<&'static Named> {
+    all()
+        .iter()
+        .find(|named| named.material.name == material.name)
+}
+
+/// The files of materials: what stands beside them explains them.
+fn files() -> impl Iterator<Item = &'static include_dir::File<'static>> {
+    let is_material = |file: &&include_dir::File<'_>| {
+        let extension = file.path().extension();
+        extension.is_some_and(|extension| extension == "toml")
+    };
+    FILES.files().filter(is_material)
+}
+
+fn named(file: &'static include_dir::File<'static>) -> Result<Named> {
+    let place = file.path().display().to_string();
+    let id = Path::file_stem(file.path()).and_then(|stem| stem.to_str());
+    let (Some(id), Some(text)) = (id, file.contents_utf8()) else {
+        return Err(Error::parse(place, "no text"));
+    };
+    let material = file::parse(text, &place)?;
+    Ok(Named { id, material })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::bxdf::models::MODELS;
+
+    #[test]
+    fn every_file_is_a_material_that_says_what_it_is() {
+        for file in files() {
+            let named = named(file).unwrap();
+            let Material {
+                name, note, source, ..
+            } = &named.material;
+            for text in [name, note, source] {
+                assert!(!text.trim().is_empty(), "{}: {named:?}", named.id);
+            }
+            assert!(MODELS.iter().all(|model| model.id != named.id));
+            assert_eq!(find(named.id).unwrap().material, named.material);
+        }
+        let names: BTreeSet<&str> = all().iter().map(|n| n.material.name.as_str()).collect();
+        assert_eq!(names.len(), all().len(), "a name stands twice");
+        assert_eq!(all().len(), files().count());
+    }
+
+    #[test]
+    fn the_library_is_sorted_and_knows_its_own() {
+        let categories: Vec<_> = all().iter().map(|n| n.material.category()).collect();
+        assert!(categories.is_sorted());
+        let gold = find("gold").unwrap();
+        let edited = gold
+            .material
+            .with_components(vec!["phong".parse().unwrap()])
+            .unwrap();
+        assert_eq!(origin(&edited).unwrap().id, "gold");
+        assert!(origin(&"phong".parse().unwrap()).is_none());
+        let line = find("golf").unwrap_err().to_string();
+        assert!(
+            line.starts_with("unknown material 'golf'; nearest: gold"),
+            "{line}"
+        );
+    }
+}
