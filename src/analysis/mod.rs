@@ -7,6 +7,7 @@ pub mod polar;
 pub mod quadrature;
 pub mod reflectance;
 pub mod scale;
+pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
 pub use scale::{Channel, RadialScale};

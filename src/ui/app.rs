@@ -7,8 +7,9 @@ use super::scene3d;
 use super::session::{Curves, DECADES, Session};
 use super::theme::{self, Palette};
 use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
+use super::widgets::components::Components;
 use super::widgets::picker::Picker;
-use super::widgets::{components, directions, status};
+use super::widgets::{directions, status};
 use crate::analysis::RadialScale;
 
 /// The line that says what to try first.
@@ -23,6 +24,7 @@ pub struct App {
     cursor: Option<Cursor>,
     only: Option<&'static ViewSpec>,
     picker: Picker,
+    components: Components,
 }
 
 impl App {
@@ -40,13 +42,16 @@ impl App {
         if let Some(render_state) = &cc.wgpu_render_state {
             scene3d::init(render_state);
         }
+        // Without a clock nothing is timed: pictures and tests need no frames to wait for.
+        let picker = Picker::new(&session.material, clock.is_none());
         Self {
             session,
             data: Data::new(clock),
             state: ViewState::default(),
             cursor: None,
             only,
-            picker: Picker::default(),
+            picker,
+            components: Components::default(),
         }
     }
 
@@ -71,7 +76,7 @@ impl App {
             .show(ui, |ui| {
                 // The scroll bar must not lie over the reset buttons.
                 ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
-                components::show(ui, &mut self.session.material);
+                self.components.show(ui, &mut self.session.material);
                 ui.add_space(4.0);
             });
     }

@@ -23,6 +23,8 @@ pub const NUMBER_WIDTH: f32 = 52.0;
 pub const RESET_WIDTH: f32 = 18.0;
 /// The least width of a slider, in points.
 pub const SHORTEST_SLIDER: f32 = 40.0;
+/// The side of a material's picture in the list, in points.
+pub const THUMBNAIL_SIZE: f32 = 36.0;
 /// Width of the curve of a lobe.
 pub const CURVE_WIDTH: f32 = 2.0;
 /// Radius of a handle that can be dragged.
@@ -75,6 +77,8 @@ pub struct Palette {
     pub absorbed: Color32,
     /// Transmitted light in the bar of shares.
     pub transmitted: Color32,
+    /// What is wrong.
+    pub warning: Color32,
     red: Color32,
     green: Color32,
     blue: Color32,
@@ -119,6 +123,7 @@ impl Palette {
             ground: [150, 160, 180, 40],
             absorbed: grey(70),
             transmitted: rgb(okabe_ito::GREEN),
+            warning: rgb([255, 140, 70]),
             red: rgb([240, 110, 90]),
             green: rgb([60, 190, 140]),
             blue: rgb([90, 160, 240]),
@@ -142,6 +147,7 @@ impl Palette {
             ground: [110, 120, 140, 44],
             absorbed: grey(190),
             transmitted: rgb(okabe_ito::GREEN),
+            warning: rgb([176, 60, 0]),
             red: rgb([190, 50, 40]),
             green: rgb([0, 120, 85]),
             blue: rgb([20, 90, 190]),
@@ -207,6 +213,19 @@ pub fn color_of_linear([r, g, b]: [f64; 3]) -> Color32 {
     egui::Rgba::from_rgb(r as f32, g as f32, b as f32).into()
 }
 
+/// The radiance of a small picture as the screen shows it, where it covers this share of a pixel (0..1). Highlights are
+/// compressed in luminance, so that their colour stays.
+#[must_use]
+pub fn color_of_radiance(rgb: [f64; 3], coverage: f64) -> Color32 {
+    // Reinhard's operator with the radiance that becomes white.
+    const EXPOSURE: f64 = 1.1;
+    const WHITE: f64 = 3.0;
+    let luminance = EXPOSURE * Channel::Luminance.of(rgb);
+    let gain = EXPOSURE * (1.0 + luminance / (WHITE * WHITE)) / (1.0 + luminance);
+    let [r, g, b] = rgb.map(|channel| (gain * channel).min(1.0) as f32);
+    egui::Rgba::from_rgba_unmultiplied(r, g, b, coverage as f32).into()
+}
+
 /// Sets text sizes and spacing for both themes.
 pub fn apply(ctx: &egui::Context) {
     ctx.all_styles_mut(|style| {
@@ -225,6 +244,7 @@ pub fn apply(ctx: &egui::Context) {
             style.visuals.override_text_color = Some(palette.ink);
             style.visuals.weak_text_color = Some(palette.faint_ink);
             style.visuals.extreme_bg_color = palette.background;
+            style.visuals.error_fg_color = palette.warning;
             style.visuals.slider_trailing_fill = true;
         });
     }

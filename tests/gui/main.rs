@@ -3,9 +3,12 @@
 #![expect(clippy::unwrap_used, reason = "a failed step is a failed test")]
 
 mod interaction;
+mod materials;
 mod render;
 mod screenshots;
 
+use brdf_explorer::bxdf::Material;
+use brdf_explorer::bxdf::material::library;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
 use brdf_explorer::ui::session::Session;
@@ -13,15 +16,15 @@ use brdf_explorer::ui::views;
 use egui::Theme;
 use egui_kittest::Harness;
 
-/// The start window showing `material`, or one view of it, settled.
-fn picture(
-    material: &str,
-    view: Option<&str>,
-    size: [u32; 2],
-    theme: Theme,
-) -> Harness<'static, App> {
+/// The material of this text, or the named one with this id.
+fn material(text: &str) -> Material {
+    library::find(text).map_or_else(|_| text.parse().unwrap(), |named| named.material.clone())
+}
+
+/// The start window showing `shown`, or one view of it, settled.
+fn picture(shown: &str, view: Option<&str>, size: [u32; 2], theme: Theme) -> Harness<'static, App> {
     let session = Session {
-        material: material.parse().unwrap(),
+        material: material(shown),
         ..Session::default()
     };
     let only = view.map(|id| views::find(id).unwrap());
@@ -37,6 +40,6 @@ fn picture(
 }
 
 /// The start window.
-fn window(material: &str) -> Harness<'static, App> {
-    picture(material, None, [1280, 800], Theme::Dark)
+fn window(shown: &str) -> Harness<'static, App> {
+    picture(shown, None, [1280, 800], Theme::Dark)
 }

@@ -3,10 +3,11 @@
 //! They are compared on the software driver only: other adapters round differently. Set `UPDATE_SNAPSHOTS=1` to
 //! accept new ones, and look at each.
 
+use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::views::VIEWS;
 use eframe::egui_wgpu::wgpu;
 use egui::Theme;
-use egui_kittest::{SnapshotOptions, SnapshotResults, try_image_snapshot_options};
+use egui_kittest::{Harness, SnapshotOptions, SnapshotResults, try_image_snapshot_options};
 
 use super::picture;
 
@@ -17,6 +18,9 @@ const MODELS: [(&str, &str); 4] = [
     ("perfect_specular", "fresnel_specular"),
     ("retro_reflective", "retro_reflector"),
 ];
+
+/// Pictures of the whole window: the start, and the named materials with one of several lobes chosen.
+const WINDOWS: [(&str, &str); 2] = [("window", "rough_conductor"), ("materials", "car_paint")];
 
 /// The limit on the stored pictures, all together.
 const MAX_BYTES: u64 = 8 << 20;
@@ -37,16 +41,8 @@ fn is_software_driver() -> bool {
         .any(|adapter| adapter.get_info().device_type == wgpu::DeviceType::Cpu)
 }
 
-fn compare(
-    results: &mut SnapshotResults,
-    name: &str,
-    material: &str,
-    view: Option<&str>,
-    size: [u32; 2],
-    theme: Theme,
-) {
-    let image = picture(material, view, size, theme).render().unwrap();
-    assert_eq!([image.width(), image.height()], size);
+fn compare(results: &mut SnapshotResults, name: &str, picture: &mut Harness<'_, App>) {
+    let image = picture.render().unwrap();
     let options = SnapshotOptions::new()
         .threshold(THRESHOLD)
         .max_failed_pixels(MAX_FAILED_PIXELS);
@@ -61,25 +57,15 @@ fn pictures_are_as_stored() {
     }
     let mut results = SnapshotResults::new();
     for (theme_name, theme) in THEMES {
-        compare(
-            &mut results,
-            &format!("window_{theme_name}"),
-            "rough_conductor",
-            None,
-            [1280, 800],
-            theme,
-        );
+        for (name, material) in WINDOWS {
+            let mut window = picture(material, None, [1280, 800], theme);
+            compare(&mut results, &format!("{name}_{theme_name}"), &mut window);
+        }
         for view in &VIEWS {
             for (category, material) in MODELS {
                 let name = format!("{}_{category}_{theme_name}", view.id);
-                compare(
-                    &mut results,
-                    &name,
-                    material,
-                    Some(view.id),
-                    [480, 360],
-                    theme,
-                );
+                let mut alone = picture(material, Some(view.id), [480, 360], theme);
+                compare(&mut results, &name, &mut alone);
             }
         }
     }
@@ -103,7 +89,7 @@ fn the_stored_pictures_are_one_per_view_model_and_theme() {
     }
     assert_eq!(
         names.len(),
-        THEMES.len() * (1 + VIEWS.len() * MODELS.len()),
+        THEMES.len() * (WINDOWS.len() + VIEWS.len() * MODELS.len()),
         "{names:?}"
     );
     assert!(bytes <= MAX_BYTES, "{bytes} bytes");

@@ -1,28 +1,205 @@
 //! The components of the material: what each is, its weight in a mixture, its parameters.
 
-use egui::{RichText, Ui};
+use egui::collapsing_header::{CollapsingState, paint_default_icon};
+use egui::{Align, Button, Layout, RichText, Role, Ui, WidgetInfo};
 
 use super::params;
-use crate::bxdf::{Component, Material};
+use crate::bxdf::material::{MAX_COMPONENTS, library};
+use crate::bxdf::models::MODELS;
+use crate::bxdf::param::Value;
+use crate::bxdf::{Category, Component, Material, ModelSpec};
+use crate::error::Error;
 
-/// The components of `material`, one below the other.
-pub fn show(ui: &mut Ui, material: &mut Material) {
-    let mut components = material.components().to_vec();
-    for (index, component) in components.iter_mut().enumerate() {
-        ui.push_id(index, |ui| show_one(ui, component));
-    }
-    if components != material.components()
-        && let Ok(changed) = material.with_components(components)
-    {
-        *material = changed;
+/// The weight of a lobe that is added: the material stays what it is, and seldom gives back more light than arrives.
+const ADDED_WEIGHT: f64 = 0.25;
+
+/// What stands below the picker.
+#[derive(Default)]
+pub struct Components {
+    /// The material whose change was refused last, and why.
+    refused: Option<(Material, String)>,
+}
+
+impl Components {
+    /// What is said of `material` and its components, one below the other; lobes can be added and removed.
+    pub fn show(&mut self, ui: &mut Ui, material: &mut Material) {
+        describe(ui, material);
+        let mut components = material.components().to_vec();
+        let is_mixture = components.len() > 1;
+        let mut removed = None;
+        for (index, component) in components.iter_mut().enumerate() {
+            ui.push_id(index, |ui| {
+                if !is_mixture {
+                    show_only(ui, component);
+                } else if show_one_of_many(ui, component) {
+                    removed = Some(index);
+                }
+            });
+        }
+        if let Some(index) = removed {
+            components.remove(index);
+        }
+        if let Some(model) = ask_for_lobe(ui, components.len()) {
+            components.push(added(model, material));
+        }
+        if components != material.components() {
+            match material.with_components(components) {
+                Ok(changed) => *material = changed,
+                Err(error) => self.refused = Some((material.clone(), reason(error))),
+            }
+        }
+        // It stays until the material changes.
+        if let Some((unchanged, reason)) = &self.refused
+            && unchanged == material
+        {
+            ui.colored_label(ui.visuals().error_fg_color, reason);
+        }
     }
 }
 
-fn show_one(ui: &mut Ui, component: &mut Component) {
+/// Name, note and source of a material that has a name, and the way back to how it stands in the library.
+fn describe(ui: &mut Ui, material: &mut Material) {
+    if material.name.is_empty() {
+        return;
+    }
+    let original = library::origin(material).map(|named| &named.material);
+    let is_edited = original.is_some_and(|original| original != material);
+    let mut is_reset = false;
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(&material.name).heading())
+            .on_hover_text(&material.source);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let name = format!("Reset {}", material.name);
+            let reset = ui
+                .add_enabled(is_edited, Button::new("↺").small().frame(false))
+                .on_hover_text("Reset to the material of the list");
+            reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
+            is_reset = reset.clicked();
+        });
+    });
+    if !material.note.is_empty() {
+        ui.label(&material.note).on_hover_text(&material.source);
+    }
+    ui.add_space(4.0);
+    if let Some(original) = original
+        && is_reset
+    {
+        *material = original.clone();
+    }
+}
+
+/// The only component: its weight goes without saying, unless a file gave it one.
+fn show_only(ui: &mut Ui, component: &mut Component) {
     let model = component.model();
     ui.label(RichText::new(model.title).strong())
         .on_hover_text(model.source);
     ui.label(RichText::new(model.summary).small());
     ui.add_space(2.0);
+    if component.weight() != 1.0 {
+        params::show_weight(ui, component);
+    }
     params::show(ui, component);
+}
+
+/// A component of several, under a header. Returns whether it is to be removed.
+fn show_one_of_many(ui: &mut Ui, component: &mut Component) -> bool {
+    let model = component.model();
+    let id = ui.make_persistent_id("parameters");
+    let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, true);
+    let mut is_removed = false;
+    ui.horizontal(|ui| {
+        let toggle = state.show_toggle_button(ui, paint_default_icon);
+        let name = format!("Parameters of {}", model.title);
+        let is_open = state.is_open();
+        toggle.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, &name));
+        toggle.on_hover_text("Show or hide the parameters of this lobe");
+        ui.label(RichText::new(model.title).strong())
+            .on_hover_text(format!("{}\n\n{}", model.summary, model.source));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let remove = ui
+                .add(Button::new("✖").small().frame(false))
+                .on_hover_text("Remove this lobe");
+            let name = format!("Remove {}", model.title);
+            remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            is_removed = remove.clicked();
+        });
+    });
+    params::show_weight(ui, component);
+    state.show_body_unindented(ui, |ui| params::show(ui, component));
+    ui.separator();
+    is_removed
+}
+
+/// The button for one more lobe, beside the `n` there are. Returns the model chosen.
+fn ask_for_lobe(ui: &mut Ui, n: usize) -> Option<&'static ModelSpec> {
+    let mut chosen = None;
+    ui.add_space(4.0);
+    let menu = |ui: &mut Ui| {
+        let button = ui.menu_button("Add a lobe…", |ui| {
+            for category in Category::ALL {
+                let models = MODELS.into_iter().filter(|m| m.category() == category);
+                let button = ui.menu_button(category.title(), |ui| {
+                    for model in models {
+                        if ui
+                            .button(model.title)
+                            .on_hover_text(model.summary)
+                            .clicked()
+                        {
+                            chosen = Some(model);
+                        }
+                    }
+                });
+                button.response.on_hover_text(category.meaning());
+            }
+        });
+        let hint = "Add the values of another model, times a weight";
+        let limit = format!("A material has at most {MAX_COMPONENTS} lobes");
+        button
+            .response
+            .on_hover_text(hint)
+            .on_disabled_hover_text(limit);
+    };
+    ui.add_enabled_ui(n < MAX_COMPONENTS, menu);
+    chosen
+}
+
+/// A faint lobe of `model`; where light crosses both, with the index of refraction that `material` has.
+fn added(model: &'static ModelSpec, material: &Material) -> Component {
+    let mut component = Component::of(model);
+    let is_crossed = |component: &Component| component.model().transmits();
+    if is_crossed(&component) && material.components().iter().any(is_crossed) {
+        // A model without such a parameter, or another index by it, is refused with the reason when it is added.
+        let _ = component.set("eta", Value::Number(material.relative_index()));
+    }
+    let _ = component.set_weight(ADDED_WEIGHT);
+    component
+}
+
+/// The reason of a refusal, in a line.
+fn reason(error: Error) -> String {
+    match error {
+        Error::Parse { problem, .. } => problem,
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bxdf::models;
+
+    #[test]
+    fn a_lobe_that_is_added_takes_over_the_index() {
+        let water: Material = "fresnel_specular:eta=1.33".parse().unwrap();
+        let rough = added(models::find("rough_dielectric").unwrap(), &water);
+        assert_eq!(
+            (rough.relative_index(), rough.weight()),
+            (1.33, ADDED_WEIGHT)
+        );
+        let mut both = water.components().to_vec();
+        both.push(rough);
+        assert!(water.with_components(both).is_ok());
+        let plain = added(models::find("phong").unwrap(), &water);
+        assert_eq!(plain.to_string(), "phong");
+    }
 }

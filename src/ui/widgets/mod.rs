@@ -6,3 +6,4 @@ pub mod draw;
 pub mod params;
 pub mod picker;
 pub mod status;
+pub mod thumbnails;

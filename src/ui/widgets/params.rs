@@ -9,6 +9,31 @@ use crate::ui::theme;
 /// The names of the channels.
 const CHANNELS: [&str; 3] = ["R", "G", "B"];
 
+/// The weight, as a parameter among the others.
+static WEIGHT: ParamSpec = ParamSpec::number(
+    "weight",
+    1.0,
+    "Factor on all values of this lobe; weights need not sum to 1",
+)
+.hard(0.0, 10.0)
+.soft(0.0, 1.0);
+
+/// The weight of `component`.
+pub fn show_weight(ui: &mut Ui, component: &mut Component) {
+    let weight = component.weight();
+    let mut edited = Value::Number(weight);
+    ui.scope(|ui| {
+        ui.spacing_mut().slider_width = slider_width(ui, labels(&WEIGHT).into_iter());
+        row(ui, &WEIGHT, &mut edited);
+    });
+    if let Value::Number(edited) = edited
+        && edited != weight
+    {
+        // Within the range of the slider nothing is refused.
+        let _ = component.set_weight(edited);
+    }
+}
+
 /// The parameters of `component`; those without effect at present are left out.
 pub fn show(ui: &mut Ui, component: &mut Component) {
     let params = component.params().clone();

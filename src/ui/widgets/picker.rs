@@ -1,106 +1,234 @@
-//! The model picker: every model under its category.
+//! The picker: every model and every named material under its category.
 
-use egui::{RichText, ScrollArea, TextEdit, Ui};
+use egui::{
+    Align, Atom, Button, Color32, IdSalt, Rect, Response, RichText, ScrollArea, TextEdit, Ui, Vec2,
+    pos2,
+};
 
-use crate::bxdf::models::MODELS;
+use super::thumbnails::Thumbnails;
+use crate::bxdf::material::library::{self, Named};
+use crate::bxdf::models::{self, MODELS};
 use crate::bxdf::{Category, Material, ModelSpec, Side};
+use crate::ui::theme;
 
 /// The share of the panel's height that the list may take; the rest is for the parameters.
 const LIST_SHARE: f32 = 0.45;
 
 /// What the picker keeps between frames.
-#[derive(Default)]
 pub struct Picker {
+    list: List,
     search: String,
     /// Materials looked at before: their sliders stand as they were left.
     shelf: Vec<Material>,
-    /// The id of the chosen model the list was last scrolled to.
+    /// The id of the chosen entry that its list was last scrolled to.
     scrolled_to: &'static str,
+    thumbnails: Thumbnails,
+}
+
+/// Which list is shown.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum List {
+    Models,
+    Materials,
+}
+
+impl List {
+    /// The word for it, and what the search says where it finds nothing.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::Models => ["models", "No model has this name, category or author"],
+            Self::Materials => [
+                "materials",
+                "No material has this name, note, category or model",
+            ],
+        }
+    }
+}
+
+/// A row of a list.
+#[derive(Clone, Copy)]
+enum Entry {
+    Model(&'static ModelSpec),
+    Named(&'static Named),
+}
+
+impl Entry {
+    /// What `material` was chosen as, whatever was changed since. `None` for a file of the user's own.
+    fn of(material: &Material) -> Option<Self> {
+        if material.name.is_empty() {
+            let model = material.components().first()?.model();
+            return models::find(model.id).ok().map(Self::Model);
+        }
+        library::origin(material).map(Self::Named)
+    }
+
+    /// Its id: no model has that of a named material.
+    fn id(self) -> &'static str {
+        match self {
+            Self::Model(model) => model.id,
+            Self::Named(named) => named.id,
+        }
+    }
+
+    fn category(self) -> Category {
+        match self {
+            Self::Model(model) => model.category(),
+            Self::Named(named) => named.material.category(),
+        }
+    }
+
+    /// The material as it stands in the list.
+    fn material(self) -> Material {
+        match self {
+            Self::Model(model) => Material::of(model),
+            Self::Named(named) => named.material.clone(),
+        }
+    }
+
+    fn hint(self) -> String {
+        match self {
+            Self::Model(model) => {
+                let ModelSpec {
+                    summary, source, ..
+                } = model;
+                format!("{summary}\n\n{source}\n\nR: reflects, T: transmits")
+            }
+            Self::Named(Named { material, .. }) => {
+                format!("{}\n\n{}", material.note, material.source)
+            }
+        }
+    }
+
+    /// Whether `wanted`, in lower case, stands somewhere in what is known of it.
+    fn is_found(self, wanted: &str) -> bool {
+        let has = |text: &str| text.to_lowercase().contains(wanted);
+        has(self.id())
+            || has(self.category().title())
+            || match self {
+                Self::Model(model) => has(model.title) || has(model.source),
+                Self::Named(Named { material, .. }) => {
+                    let mut components = material.components().iter();
+                    has(&material.name)
+                        || has(&material.note)
+                        || components.any(|component| {
+                            has(component.model().id) || has(component.model().title)
+                        })
+                }
+            }
+    }
 }
 
 impl Picker {
-    /// The list of models that the search leaves. Choosing one replaces the material by the one of that model looked at
-    /// before, or by the model's defaults.
+    /// The picker beside `material`. `is_at_once`: see [`Thumbnails::new`].
+    #[must_use]
+    pub fn new(material: &Material, is_at_once: bool) -> Self {
+        let is_named = matches!(Entry::of(material), Some(Entry::Named(_)));
+        Self {
+            list: if is_named {
+                List::Materials
+            } else {
+                List::Models
+            },
+            search: String::new(),
+            shelf: Vec::new(),
+            scrolled_to: "",
+            thumbnails: Thumbnails::new(is_at_once),
+        }
+    }
+
+    /// The switch, the search field, and the list that the search leaves. Choosing an entry replaces the material by the
+    /// one chosen as that before, or by the entry as it stands in the list.
     pub fn show(&mut self, ui: &mut Ui, material: &mut Material) {
+        ui.horizontal(|ui| {
+            ui.selectable_value(&mut self.list, List::Models, "Models")
+                .on_hover_text("Formulas at their default parameters, each by itself");
+            ui.selectable_value(&mut self.list, List::Materials, "Materials")
+                .on_hover_text("Things to recognise: one or several models with parameters from a stated source");
+        });
+        let [what, _] = self.list.words();
+        let name = format!("Search {what}");
         let field = TextEdit::singleline(&mut self.search)
-            .hint_text("Search models")
+            .hint_text(&name)
             .desired_width(f32::INFINITY);
-        let field = ui
-            .add(field)
-            .on_hover_text("Find a model by name, id, category or author");
+        let hint = match self.list {
+            List::Models => "Find a model by name, id, category or author",
+            List::Materials => "Find a material by name, note, category or model",
+        };
+        let field = ui.add(field).on_hover_text(hint);
         ui.ctx()
-            .accesskit_node_builder(field.id, |node| node.set_label("Search models"));
+            .accesskit_node_builder(field.id, |node| node.set_label(name));
         let wanted = self.search.trim().to_lowercase();
         let height = LIST_SHARE * ui.available_height();
         let area = ScrollArea::vertical()
-            .id_salt("models")
+            .id_salt(what)
             .max_height(height)
             .auto_shrink([false, true]);
-        area.show(ui, |ui| self.list(ui, &wanted, material));
+        area.show(ui, |ui| self.entries(ui, &wanted, material));
     }
 
-    fn list(&mut self, ui: &mut Ui, wanted: &str, material: &mut Material) {
+    fn entries(&mut self, ui: &mut Ui, wanted: &str, material: &mut Material) {
+        let listed: Vec<Entry> = match self.list {
+            List::Models => MODELS.into_iter().map(Entry::Model).collect(),
+            List::Materials => library::all().iter().map(Entry::Named).collect(),
+        };
         let mut is_empty = true;
         for category in Category::ALL {
-            let is_listed =
-                |model: &&ModelSpec| model.category() == category && is_found(model, wanted);
-            let models: Vec<&'static ModelSpec> = MODELS.into_iter().filter(is_listed).collect();
-            if models.is_empty() {
+            let is_shown = |entry: &&Entry| entry.category() == category && entry.is_found(wanted);
+            let shown: Vec<&Entry> = listed.iter().filter(is_shown).collect();
+            if shown.is_empty() {
                 continue;
             }
             is_empty = false;
             ui.label(RichText::new(category.title()).strong())
                 .on_hover_text(category.meaning());
             ui.indent(category.id(), |ui| {
-                for model in models {
-                    self.row(ui, model, material);
+                for entry in shown {
+                    self.row(ui, *entry, material);
                 }
             });
         }
         if is_empty {
-            ui.weak("No model has this name, category or author");
+            let [_, nothing] = self.list.words();
+            ui.weak(nothing);
         }
     }
 
-    fn row(&mut self, ui: &mut Ui, model: &'static ModelSpec, material: &mut Material) {
-        let is_chosen = material
-            .only()
-            .is_some_and(|only| only.model().id == model.id);
-        let hint = format!(
-            "{}\n\n{}\n\nR: reflects, T: transmits",
-            model.summary, model.source
-        );
-        let row = ui
-            .selectable_label(is_chosen, title(model))
-            .on_hover_text(hint);
-        if is_chosen && self.scrolled_to != model.id {
-            self.scrolled_to = model.id;
-            row.scroll_to_me(None);
+    fn row(&mut self, ui: &mut Ui, entry: Entry, material: &mut Material) {
+        let is = |material: &Material| {
+            Entry::of(material).is_some_and(|chosen| chosen.id() == entry.id())
+        };
+        let is_chosen = is(material);
+        let row = match entry {
+            Entry::Model(model) => ui.selectable_label(is_chosen, title(model)),
+            Entry::Named(named) => self.pictured(ui, named, is_chosen),
+        };
+        let row = row.on_hover_text(entry.hint());
+        if is_chosen && self.scrolled_to != entry.id() {
+            self.scrolled_to = entry.id();
+            row.scroll_to_me(Some(Align::Center));
         }
         if row.clicked() && !is_chosen {
-            let kept = self
-                .shelf
-                .iter()
-                .position(|kept| kept.only().is_some_and(|only| only.model().id == model.id));
-            let next = kept.map_or_else(
-                || Material::of(model),
-                |index| self.shelf.swap_remove(index),
-            );
+            let kept = self.shelf.iter().position(is);
+            let next = kept.map_or_else(|| entry.material(), |index| self.shelf.swap_remove(index));
             self.shelf.push(std::mem::replace(material, next));
         }
     }
-}
 
-/// Whether `wanted`, in lower case, stands somewhere in what is known of the model.
-fn is_found(model: &ModelSpec, wanted: &str) -> bool {
-    [
-        model.title,
-        model.id,
-        model.category().title(),
-        model.source,
-    ]
-    .iter()
-    .any(|text| text.to_lowercase().contains(wanted))
+    /// A row with a picture; the name says it all to those who do not see.
+    fn pictured(&mut self, ui: &mut Ui, named: &'static Named, is_chosen: bool) -> Response {
+        let salt = IdSalt::new(named.id);
+        let picture = Atom::custom(salt, Vec2::splat(theme::THUMBNAIL_SIZE));
+        let row = Button::selectable(is_chosen, (picture, named.material.name.as_str())).truncate();
+        let row = row.atom_ui(ui);
+        if let Some(rect) = row.rect(salt)
+            && ui.is_rect_visible(rect)
+            && let Some(texture) = self.thumbnails.get(ui.ctx(), named)
+        {
+            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            ui.painter().image(texture, rect, whole, Color32::WHITE);
+        }
+        row.response
+    }
 }
 
 /// The title, and the sides where they are not plain from it.

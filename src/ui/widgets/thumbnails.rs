@@ -1,0 +1,59 @@
+//! Small pictures of the named materials, computed when they first come into sight.
+
+use std::collections::HashMap;
+
+use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
+
+use crate::analysis::thumbnail;
+use crate::bxdf::material::library::Named;
+use crate::ui::theme;
+
+/// The most pixels along a side: beyond it a picture takes longer than a frame, and shows nothing more.
+const MAX_SIDE: usize = 48;
+
+/// The pictures made so far.
+pub struct Thumbnails {
+    textures: HashMap<&'static str, TextureHandle>,
+    is_at_once: bool,
+    made_in_frame: Option<u64>,
+}
+
+impl Thumbnails {
+    /// No pictures yet. `is_at_once`: whether all that are in sight are made in the same frame, or else one, so that the
+    /// window never stalls.
+    #[must_use]
+    pub fn new(is_at_once: bool) -> Self {
+        Self {
+            textures: HashMap::new(),
+            is_at_once,
+            made_in_frame: None,
+        }
+    }
+
+    /// The picture of `named`. `None` where it has to wait for another frame, which is asked for.
+    pub fn get(&mut self, ctx: &Context, named: &'static Named) -> Option<TextureId> {
+        if let Some(texture) = self.textures.get(named.id) {
+            return Some(texture.id());
+        }
+        let frame = Some(ctx.cumulative_frame_nr());
+        if !self.is_at_once && self.made_in_frame == frame {
+            ctx.request_repaint();
+            return None;
+        }
+        self.made_in_frame = frame;
+        let pixels = (theme::THUMBNAIL_SIZE * ctx.pixels_per_point()).round() as usize;
+        let image = picture(named, pixels.clamp(1, MAX_SIDE));
+        let texture = ctx.load_texture(named.id, image, TextureOptions::LINEAR);
+        let id = texture.id();
+        self.textures.insert(named.id, texture);
+        Some(id)
+    }
+}
+
+fn picture(named: &Named, side: usize) -> ColorImage {
+    let material = &named.material;
+    let picture = thumbnail::sphere(&*material.build(), material.relative_index(), side);
+    let pixels = picture.pixels.into_iter();
+    let colors = pixels.map(|[r, g, b, coverage]| theme::color_of_radiance([r, g, b], coverage));
+    ColorImage::new([side, side], colors.collect())
+}
