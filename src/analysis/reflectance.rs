@@ -45,6 +45,13 @@ impl Reflectance {
         let [[r0, r1, r2], [t0, t1, t2]] = [self.reflection, self.transmission];
         [1.0 - r0 - t0, 1.0 - r1 - t1, 1.0 - r2 - t2]
     }
+
+    /// The share that leaves, in the channel where it is largest: above 1 energy is created.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        let [r, g, b] = self.absorbed();
+        1.0 - r.min(g).min(b)
+    }
 }
 
 /// How many evaluations a lobe may take, where nothing waits for it: about a second.
@@ -59,6 +66,18 @@ pub struct LobeShare {
     pub value: [f64; 3],
     /// The estimated absolute error of the worst channel.
     pub error: f64,
+}
+
+impl LobeShare {
+    /// What both lobes do, as one of the first one's kind.
+    fn with(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.value, other.value);
+        Self {
+            lobe: self.lobe.named(""),
+            value: [a + x, b + y, c + z],
+            error: self.error + other.error,
+        }
+    }
 }
 
 /// What each lobe of `bxdf` does with the light arriving along `wi`: the lobes of [`Bxdf::lobes`] in their order, then the
@@ -92,6 +111,22 @@ pub fn lobe_shares(
         error: 0.0,
     });
     continuous.chain(deltas).collect()
+}
+
+/// The sums of `shares` by category and side: reflection first, the categories of each side in their order. Kinds that no
+/// lobe has are left out.
+#[must_use]
+pub fn by_kind(shares: &[LobeShare]) -> Vec<LobeShare> {
+    let kinds = [Side::Reflection, Side::Transmission]
+        .into_iter()
+        .flat_map(|side| Category::ALL.map(|category| (category, side)));
+    let sum = |kind| {
+        let of_kind = shares
+            .iter()
+            .filter(|share| (share.lobe.category, share.lobe.side) == kind);
+        of_kind.copied().reduce(LobeShare::with)
+    };
+    kinds.filter_map(sum).collect()
 }
 
 /// `rho_dh(wi)`: the integral of f(wo, wi) |cos(theta_o)| over all `wo`, and the flux of the deltas.
@@ -221,6 +256,28 @@ mod tests {
         );
         assert!((leaf.transmission[1] - 0.3).abs() < 1e-12 && leaf.reflection[1] == 0.0);
         assert_eq!(rho("lambertian_reflection", DVec3::X).reflection, [0.0; 3]);
+    }
+
+    #[test]
+    fn shares_of_one_kind_count_together() {
+        let share = |lobe, value| LobeShare {
+            lobe,
+            value: [value; 3],
+            error: 0.125,
+        };
+        let shares = [
+            share(Lobe::transmission(Category::Diffuse), 0.125),
+            share(Lobe::reflection(Category::GlossySpecular), 0.25),
+            share(Lobe::reflection(Category::Diffuse).named("ground"), 0.5),
+            share(Lobe::reflection(Category::Diffuse).named("sheen"), 0.25),
+        ];
+        let diffuse = LobeShare {
+            error: 0.25,
+            ..share(Lobe::reflection(Category::Diffuse), 0.75)
+        };
+        let [transmitted, glossy, ..] = shares;
+        assert_eq!(by_kind(&shares), [diffuse, glossy, transmitted]);
+        assert_eq!(Reflectance::of(&shares).largest(), 1.125);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::args::{self, Given};
 use super::output;
 use crate::analysis::isotropy;
-use crate::analysis::reflectance::{LobeShare, MAX_EVALUATIONS, Reflectance, lobe_shares};
+use crate::analysis::reflectance::{LobeShare, MAX_EVALUATIONS, Reflectance, by_kind, lobe_shares};
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::frame::direction_from_degrees;
 use crate::error::Result;
@@ -108,13 +108,9 @@ fn row(bxdf: &dyn Bxdf<f64>, theta: f64, phi: f64) -> Row {
 /// The shares of the lobes, those of the same category and side together.
 fn shares(lobes: &[LobeShare]) -> Shares {
     let mut shares = Shares::new();
-    for LobeShare { lobe, value, .. } in lobes {
+    for LobeShare { lobe, value, .. } in by_kind(lobes) {
         let sides = shares.entry(lobe.category.id()).or_default();
-        let share = sides.entry(lobe.side.id()).or_default();
-        share
-            .iter_mut()
-            .zip(value)
-            .for_each(|(share, value)| *share += value);
+        sides.insert(lobe.side.id(), value);
     }
     shares
 }

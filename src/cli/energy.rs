@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::analysis::reflectance::lobe_shares;
+use crate::analysis::reflectance::{Reflectance, lobe_shares};
 use crate::bxdf::math::frame::direction_from_degrees;
 use crate::bxdf::{Material, Side};
 
@@ -50,14 +50,9 @@ pub(super) fn created(material: &Material) -> Option<Created> {
         .filter_map(|theta_deg| {
             let wi = direction_from_degrees(theta_deg, 0.0);
             let shares = lobe_shares(&*bxdf, wi, TOLERANCE, MAX_EVALUATIONS);
-            let error: f64 = shares.iter().map(|share| share.error).sum();
-            let sum = |channel: fn([f64; 3]) -> f64| -> f64 {
-                shares.iter().map(|share| channel(share.value)).sum()
-            };
-            let share = sum(|[r, ..]| r)
-                .max(sum(|[_, g, _]| g))
-                .max(sum(|[.., b]| b));
-            (share > 1.0 + EXCESS + error).then_some(Created { theta_deg, share })
+            let found = Reflectance::of(&shares);
+            let share = found.largest();
+            (share > 1.0 + EXCESS + found.error).then_some(Created { theta_deg, share })
         })
         .min_by_key(|created| std::cmp::Reverse(ten_thousandths(created.share)))
 }

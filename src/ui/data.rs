@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::memo::Memo;
 use super::session::Session;
 use crate::analysis::lobe::Arrow;
-use crate::analysis::reflectance::{Reflectance, directional_hemispherical_within};
+use crate::analysis::reflectance::{LobeShare, lobe_shares};
 use crate::analysis::{HeldLobe, Hold, RadialScale, lobe3d, polar};
 use crate::bxdf::math::frame;
 use crate::bxdf::rotated::Rotated;
@@ -30,7 +30,7 @@ pub struct Data {
     section: Memo<(HeldKey, f64, bool, RadialScale), polar::Section>,
     mesh: Memo<(HeldKey, bool, RadialScale), lobe3d::Mesh>,
     arrows: Memo<HeldKey, Vec<Arrow>>,
-    shares: Memo<HeldKey, Reflectance>,
+    shares: Memo<HeldKey, Vec<LobeShare>>,
     clock: Option<Clock>,
     computations: u64,
     /// Seconds the last update took; `None` before the first, and without a clock.
@@ -119,13 +119,13 @@ impl Data {
         })
     }
 
-    /// What becomes of light arriving along the held direction.
-    pub fn shares(&mut self, session: &Session) -> Arc<Reflectance> {
+    /// What each lobe does with light arriving along the held direction.
+    pub fn shares(&mut self, session: &Session) -> Arc<Vec<LobeShare>> {
         self.timed(|data| {
             let surface = data.surface(session);
             let key = data.held_key(session);
             data.shares.get(key, || {
-                directional_hemispherical_within(
+                lobe_shares(
                     &**surface,
                     session.held(),
                     SHARE_TOLERANCE,

@@ -4,6 +4,7 @@ use egui::{Color32, FontFamily, FontId, TextStyle, Theme, Vec2};
 
 use super::scene3d::Rgba;
 use crate::analysis::{Channel, Hold};
+use crate::bxdf::Category;
 
 /// The size of the window at first, in points.
 pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);
@@ -25,6 +26,14 @@ pub const RESET_WIDTH: f32 = 18.0;
 pub const SHORTEST_SLIDER: f32 = 40.0;
 /// The side of a material's picture in the list, in points.
 pub const THUMBNAIL_SIZE: f32 = 36.0;
+/// The size of the bar of shares, in points.
+pub const SHARE_BAR: Vec2 = Vec2::new(120.0, 12.0);
+/// The size of a sample of a colour in a legend, in points.
+pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
+/// The distance between the lines of a hatch, in points.
+pub const HATCH_STEP: f32 = 5.0;
+/// The width of the lines of a hatch, in points.
+pub const HATCH_WIDTH: f32 = 1.5;
 /// Width of the curve of a lobe.
 pub const CURVE_WIDTH: f32 = 2.0;
 /// Radius of a handle that can be dragged.
@@ -75,8 +84,8 @@ pub struct Palette {
     pub ground: Rgba,
     /// Absorbed light in the bar of shares.
     pub absorbed: Color32,
-    /// Transmitted light in the bar of shares.
-    pub transmitted: Color32,
+    /// The categories in the bar of shares, in the order in which they are listed.
+    categories: [Color32; 4],
     /// What is wrong.
     pub warning: Color32,
     red: Color32,
@@ -122,7 +131,12 @@ impl Palette {
             dome: [200, 210, 230, 14],
             ground: [150, 160, 180, 40],
             absorbed: grey(70),
-            transmitted: rgb(okabe_ito::GREEN),
+            categories: [
+                rgb(okabe_ito::SKY_BLUE),
+                rgb(okabe_ito::GREEN),
+                rgb(okabe_ito::VERMILION),
+                rgb(okabe_ito::PURPLE),
+            ],
             warning: rgb([255, 140, 70]),
             red: rgb([240, 110, 90]),
             green: rgb([60, 190, 140]),
@@ -146,7 +160,12 @@ impl Palette {
             dome: [90, 110, 150, 20],
             ground: [110, 120, 140, 44],
             absorbed: grey(190),
-            transmitted: rgb(okabe_ito::GREEN),
+            categories: [
+                rgb(okabe_ito::BLUE),
+                rgb(okabe_ito::GREEN),
+                rgb(okabe_ito::VERMILION),
+                rgb(okabe_ito::PURPLE),
+            ],
             warning: rgb([176, 60, 0]),
             red: rgb([190, 50, 40]),
             green: rgb([0, 120, 85]),
@@ -160,6 +179,18 @@ impl Palette {
         match hold {
             Hold::Light => self.light,
             Hold::Viewer => self.viewer,
+        }
+    }
+
+    /// The colour of a category's share.
+    #[must_use]
+    pub fn category(&self, category: Category) -> Color32 {
+        let [diffuse, glossy, perfect, retro] = self.categories;
+        match category {
+            Category::Diffuse => diffuse,
+            Category::GlossySpecular => glossy,
+            Category::PerfectSpecular => perfect,
+            Category::RetroReflective => retro,
         }
     }
 

@@ -176,3 +176,49 @@ fn a_second_index_of_refraction_is_refused_with_the_reason() {
     click(&mut harness, "Remove Rough dielectric");
     assert!(harness.query_by_label_contains(disagree).is_none());
 }
+
+#[test]
+fn the_bar_of_shares_lists_them_as_text() {
+    let mut harness = window("rough_dielectric");
+    assert!(
+        harness
+            .query_by_label("Glossy specular, reflected")
+            .is_none()
+    );
+    harness.get_by_label("Shares of light").hover();
+    harness.run();
+    for label in [
+        "Glossy specular, reflected",
+        "Glossy specular, transmitted",
+        "Absorbed",
+    ] {
+        assert!(harness.query_by_label(label).is_some(), "{label}");
+    }
+    assert!(
+        harness
+            .query_by_label_contains("Error of the integration")
+            .is_some()
+    );
+}
+
+#[test]
+fn a_mixture_that_creates_energy_is_warned_of() {
+    let mut harness = window("lambertian_reflection");
+    let warning = "creates energy";
+    assert!(harness.query_by_label(warning).is_none());
+    add_lobe(&mut harness, "Phong");
+    let weight = harness
+        .get_all_by_role_and_label(Role::Slider, "Weight")
+        .next_back()
+        .unwrap();
+    weight.set_value_accesskit(1.0);
+    harness.run();
+    assert!(harness.query_by_label(warning).is_some());
+    harness.get_by_label(warning).hover();
+    harness.run();
+    assert!(
+        harness
+            .query_by_label_contains("More light leaves than arrives")
+            .is_some()
+    );
+}

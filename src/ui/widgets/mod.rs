@@ -5,5 +5,6 @@ pub mod directions;
 pub mod draw;
 pub mod params;
 pub mod picker;
+pub mod shares;
 pub mod status;
 pub mod thumbnails;

@@ -1,0 +1,183 @@
+//! Where the light goes: a bar of shares by category and side, with its legend.
+
+use egui::{Color32, Grid, Painter, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
+
+use crate::analysis::Channel;
+use crate::analysis::reflectance::{LobeShare, Reflectance, by_kind};
+use crate::bxdf::Side;
+use crate::ui::theme::{self, Palette};
+
+/// A sum of shares beyond 1 that is taken for more than an error of the quadrature or of rounded parameters.
+const EXCESS: f64 = 0.005;
+
+/// What the numbers are.
+const HINT: &str =
+    "What becomes of light arriving along the held direction, as shares of its flux (luminance)";
+
+/// A part of the bar: its name, its share and how it is filled.
+struct Part {
+    name: String,
+    share: f64,
+    color: Color32,
+    is_hatched: bool,
+}
+
+/// The bar, the sums beside it, and a warning where more leaves than arrives.
+pub fn show(ui: &mut Ui, shares: &[LobeShare], palette: &Palette) {
+    let found = Reflectance::of(shares);
+    let parts = parts(shares, palette);
+    bar(ui, &parts, palette).on_hover_ui(|ui| legend(ui, &parts, found.error, palette));
+    let [reflected, transmitted, absorbed] = rounded(&found);
+    let text =
+        format!("reflected {reflected:.3} | transmitted {transmitted:.3} | absorbed {absorbed:.3}");
+    ui.label(text)
+        .on_hover_ui(|ui| legend(ui, &parts, found.error, palette));
+    if found.largest() > 1.0 + found.error + EXCESS {
+        ui.colored_label(palette.warning, "creates energy")
+            .on_hover_text(format!(
+                "More light leaves than arrives: {:.3} times as much, in the channel that gains most",
+                found.largest()
+            ));
+    }
+}
+
+/// The kinds of lobes, then what is absorbed.
+fn parts(shares: &[LobeShare], palette: &Palette) -> Vec<Part> {
+    let mut parts: Vec<Part> = by_kind(shares)
+        .into_iter()
+        .map(|LobeShare { lobe, value, .. }| {
+            let is_hatched = lobe.side == Side::Transmission;
+            let side = if is_hatched {
+                "transmitted"
+            } else {
+                "reflected"
+            };
+            Part {
+                name: format!("{}, {side}", lobe.category.title()),
+                share: Channel::Luminance.of(value),
+                color: palette.category(lobe.category),
+                is_hatched,
+            }
+        })
+        .collect();
+    let [_, _, absorbed] = rounded(&Reflectance::of(shares));
+    parts.push(Part {
+        name: "Absorbed".to_owned(),
+        share: absorbed,
+        color: palette.absorbed,
+        is_hatched: false,
+    });
+    parts
+}
+
+/// The luminance of what is reflected, transmitted and absorbed, in thousandths; they sum to 1 exactly, the rest being
+/// what is absorbed.
+fn rounded(shares: &Reflectance) -> [f64; 3] {
+    let thousandths = |rgb: [f64; 3]| (Channel::Luminance.of(rgb) * 1000.0).round() / 1000.0;
+    let (reflected, transmitted) = (
+        thousandths(shares.reflection),
+        thousandths(shares.transmission),
+    );
+    let absorbed = ((1.0 - reflected - transmitted) * 1000.0).round() / 1000.0;
+    // Adding 0 turns the -0 of rounding into 0.
+    [reflected, transmitted, absorbed + 0.0]
+}
+
+fn bar(ui: &mut Ui, parts: &[Part], palette: &Palette) -> egui::Response {
+    let (rect, response) = ui.allocate_exact_size(theme::SHARE_BAR, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, "Shares of light"));
+    // Where energy is created there is more than the bar holds: its whole length is then all that leaves.
+    let whole: f64 = parts.iter().map(|part| part.share.max(0.0)).sum();
+    let mut left = rect.left();
+    for part in parts {
+        let width = rect.width() * (part.share.max(0.0) / whole.max(1.0)) as f32;
+        let size = vec2(width, rect.height());
+        fill(
+            ui.painter(),
+            Rect::from_min_size(pos2(left, rect.top()), size),
+            part,
+            palette,
+        );
+        left += width;
+    }
+    response
+}
+
+/// Fills `rect` as `part` is: plain, or hatched in the colour of the background.
+fn fill(painter: &Painter, rect: Rect, part: &Part, palette: &Palette) {
+    painter.rect_filled(rect, 0.0, part.color);
+    if !part.is_hatched {
+        return;
+    }
+    let painter = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
+    let lines = ((rect.width() + rect.height()) / theme::HATCH_STEP) as u32;
+    for line in 0..=lines {
+        let x = rect.left() + theme::HATCH_STEP * line as f32;
+        let ends = [pos2(x, rect.top()), pos2(x - rect.height(), rect.bottom())];
+        painter.line_segment(ends, (theme::HATCH_WIDTH, palette.background));
+    }
+}
+
+/// Every share as text, beside a sample of its colour.
+fn legend(ui: &mut Ui, parts: &[Part], error: f64, palette: &Palette) {
+    ui.label(HINT);
+    Grid::new("legend").num_columns(3).show(ui, |ui| {
+        for part in parts {
+            let (rect, _) = ui.allocate_exact_size(theme::SWATCH, Sense::hover());
+            fill(ui.painter(), rect, part, palette);
+            ui.label(&part.name);
+            ui.label(format!("{:.3}", part.share));
+            ui.end_row();
+        }
+    });
+    ui.label(format!("Error of the integration at most {error:.1e}"));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bxdf::{Category, Lobe};
+
+    #[test]
+    fn shares_sum_to_one() {
+        let shares = Reflectance {
+            reflection: [0.333_33; 3],
+            transmission: [0.333_33; 3],
+            error: 0.0,
+        };
+        assert_eq!(rounded(&shares), [0.333, 0.333, 0.334]);
+        let all = Reflectance {
+            reflection: [1.0 - 1e-9; 3],
+            transmission: [0.0; 3],
+            error: 0.0,
+        };
+        assert_eq!(rounded(&all), [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn parts_are_told_apart_by_name_colour_and_hatch() {
+        let palette = Palette::of(egui::Theme::Dark);
+        let lobes = Category::ALL
+            .into_iter()
+            .flat_map(|category| [Lobe::reflection(category), Lobe::transmission(category)]);
+        let shares: Vec<LobeShare> = lobes
+            .map(|lobe| LobeShare {
+                lobe,
+                value: [0.1; 3],
+                error: 0.0,
+            })
+            .collect();
+        let parts = parts(&shares, &palette);
+        assert_eq!(parts.len(), 9);
+        for (index, part) in parts.iter().enumerate() {
+            for other in parts.iter().skip(index + 1) {
+                assert_ne!(part.name, other.name);
+                assert_ne!(
+                    (part.color, part.is_hatched),
+                    (other.color, other.is_hatched)
+                );
+            }
+        }
+        assert!((parts.iter().map(|part| part.share).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+}
