@@ -1,7 +1,7 @@
 //! The components of the material: what each is, its weight in a mixture, its parameters.
 
 use egui::collapsing_header::{CollapsingState, paint_default_icon};
-use egui::{Align, Button, Layout, RichText, Role, Ui, WidgetInfo};
+use egui::{Align, Button, Layout, Response, RichText, Role, Ui, WidgetInfo};
 
 use super::params;
 use crate::bxdf::material::{MAX_COMPONENTS, library};
@@ -18,6 +18,8 @@ const ADDED_WEIGHT: f64 = 0.25;
 pub struct Components {
     /// The material whose change was refused last, and why.
     refused: Option<(Material, String)>,
+    /// Whether the last lobe was just added, and is to be scrolled to.
+    is_last_new: bool,
 }
 
 impl Components {
@@ -27,7 +29,11 @@ impl Components {
         let mut components = material.components().to_vec();
         let is_mixture = components.len() > 1;
         let mut removed = None;
+        let last = components.len().saturating_sub(1);
         for (index, component) in components.iter_mut().enumerate() {
+            if index == last && std::mem::take(&mut self.is_last_new) {
+                ui.scroll_to_cursor(Some(Align::TOP));
+            }
             ui.push_id(index, |ui| {
                 if !is_mixture {
                     show_only(ui, component);
@@ -41,6 +47,8 @@ impl Components {
         }
         if let Some(model) = ask_for_lobe(ui, components.len()) {
             components.push(added(model, material));
+            self.is_last_new = true;
+            ui.ctx().request_repaint();
         }
         if components != material.components() {
             match material.with_components(components) {
@@ -62,29 +70,36 @@ fn describe(ui: &mut Ui, material: &mut Material) {
     if material.name.is_empty() {
         return;
     }
-    let original = library::origin(material).map(|named| &named.material);
-    let is_edited = original.is_some_and(|original| original != material);
-    let mut is_reset = false;
+    let mut original = None;
     ui.horizontal(|ui| {
-        ui.label(RichText::new(&material.name).heading())
-            .on_hover_text(&material.source);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let name = format!("Reset {}", material.name);
-            let reset = ui
-                .add_enabled(is_edited, Button::new("↺").small().frame(false))
-                .on_hover_text("Reset to the material of the list");
-            reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
-            is_reset = reset.clicked();
-        });
+        let name = ui.label(RichText::new(&material.name).heading());
+        hint_source(name, material);
+        if let Some(named) = library::origin(material) {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let is_edited = named.material != *material;
+                let name = format!("Reset {}", material.name);
+                let reset = ui
+                    .add_enabled(is_edited, Button::new("↺").small().frame(false))
+                    .on_hover_text("Reset to the material of the list");
+                reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
+                original = reset.clicked().then_some(&named.material);
+            });
+        }
     });
     if !material.note.is_empty() {
-        ui.label(&material.note).on_hover_text(&material.source);
+        let note = ui.label(&material.note);
+        hint_source(note, material);
     }
     ui.add_space(4.0);
-    if let Some(original) = original
-        && is_reset
-    {
-        *material = original.clone();
+    if let Some(original) = original {
+        material.clone_from(original);
+    }
+}
+
+/// Where the numbers come from, at what is said of `material`.
+fn hint_source(said: Response, material: &Material) {
+    if !material.source.is_empty() {
+        said.on_hover_text(&material.source);
     }
 }
 

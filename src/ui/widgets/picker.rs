@@ -208,6 +208,8 @@ impl Picker {
             row.scroll_to_me(Some(Align::Center));
         }
         if row.clicked() && !is_chosen {
+            // It is under the pointer: the list stays where it is.
+            self.scrolled_to = entry.id();
             let kept = self.shelf.iter().position(is);
             let next = kept.map_or_else(|| entry.material(), |index| self.shelf.swap_remove(index));
             self.shelf.push(std::mem::replace(material, next));

@@ -121,7 +121,8 @@ fn fill(painter: &Painter, rect: Rect, part: &Part, palette: &Palette) {
 /// Every share as text, beside a sample of its colour.
 fn legend(ui: &mut Ui, parts: &[Part], error: f64, palette: &Palette) {
     ui.label(HINT);
-    Grid::new("legend").num_columns(3).show(ui, |ui| {
+    let grid = Grid::new("legend").min_col_width(theme::SWATCH.x);
+    grid.show(ui, |ui| {
         for part in parts {
             let (rect, _) = ui.allocate_exact_size(theme::SWATCH, Sense::hover());
             fill(ui.painter(), rect, part, palette);

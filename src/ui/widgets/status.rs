@@ -1,6 +1,6 @@
 //! The status line: the shares of light, the value under the pointer, the time of the last update.
 
-use egui::{Align, Layout, Ui};
+use egui::{Align, Label, Layout, Ui};
 
 use super::{draw, shares};
 use crate::analysis::reflectance::LobeShare;
@@ -20,11 +20,6 @@ pub fn show(
     ui.horizontal(|ui| {
         shares::show(ui, lobes, palette);
         ui.separator();
-        let note = cursor.map_or_else(
-            || "Point at a view to read its value".to_owned(),
-            |cursor| draw::cursor_text(cursor, session),
-        );
-        ui.label(note);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let time = last_update.map_or_else(
                 || "-".to_owned(),
@@ -32,6 +27,13 @@ pub fn show(
             );
             ui.label(format!("Update {time}"))
                 .on_hover_text("Time the last change took to compute");
+            let note = cursor.map_or_else(
+                || "Point at a view to read its value".to_owned(),
+                |cursor| draw::cursor_text(cursor, session),
+            );
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.add(Label::new(note).truncate());
+            });
         });
     });
 }
