@@ -20,7 +20,7 @@ pub const MAX_COMPONENTS: usize = 8;
 
 /// A weighted sum of models of the catalogue, at least one, with what is said of it.
 ///
-/// Its text form is that of its only component; as TOML it can say everything (see [`file`]).
+/// Its text form is that of its only component; as TOML it can say everything (see [`mod@file`]).
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(into = "Form", try_from = "Form")]
 pub struct Material {

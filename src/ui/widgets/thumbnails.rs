@@ -57,3 +57,32 @@ fn picture(named: &Named, side: usize) -> ColorImage {
     let colors = pixels.map(|[r, g, b, coverage]| theme::color_of_radiance([r, g, b], coverage));
     ColorImage::new([side, side], colors.collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use egui::RawInput;
+
+    use super::*;
+    use crate::bxdf::material::library;
+
+    /// Which of the first two pictures are there, in each of two frames.
+    fn made(mut thumbnails: Thumbnails) -> [[bool; 2]; 2] {
+        let ctx = Context::default();
+        let [first, second] = [&library::all()[0], &library::all()[1]];
+        std::array::from_fn(|_| {
+            let mut made = [false; 2];
+            let mut output = ctx.run_ui(RawInput::default(), |ui| {
+                made = [first, second].map(|named| thumbnails.get(ui.ctx(), named).is_some());
+            });
+            // egui insists that somebody takes them.
+            output.textures_delta.clear();
+            made
+        })
+    }
+
+    #[test]
+    fn pictures_come_one_a_frame_or_all_at_once() {
+        assert_eq!(made(Thumbnails::new(false)), [[true, false], [true, true]]);
+        assert_eq!(made(Thumbnails::new(true)), [[true, true]; 2]);
+    }
+}
