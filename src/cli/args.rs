@@ -19,22 +19,28 @@ pub(super) fn is_standard_stream(path: &Path) -> bool {
     path == Path::new(STANDARD_STREAM)
 }
 
-/// A material as it was given, and the file it stands in.
+/// A material, and how it was given.
 #[derive(Clone, Debug)]
 pub(super) struct Given {
     material: Material,
-    file: Option<String>,
+    text: String,
+    is_file: bool,
 }
 
 impl Given {
     /// The material. Where it is a file of several lobes that create energy, one line on standard error says so.
     pub(super) fn checked(&self) -> &Material {
-        if let Some(file) = &self.file
+        if self.is_file
             && let Some(excess) = energy::created(&self.material)
         {
-            say(&format!("warning: {file} creates energy: {excess}"));
+            say(&format!("warning: {} creates energy: {excess}", self.text));
         }
         &self.material
+    }
+
+    /// How it was given.
+    pub(super) fn text(&self) -> &str {
+        &self.text
     }
 }
 
@@ -49,12 +55,14 @@ pub(super) fn material(text: &str) -> Result<Given> {
         let file = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
         return Ok(Given {
             material: material::file::parse(&file, text)?,
-            file: Some(text.to_owned()),
+            text: text.to_owned(),
+            is_file: true,
         });
     }
     Ok(Given {
         material: by_id(text)?,
-        file: None,
+        text: text.to_owned(),
+        is_file: false,
     })
 }
 

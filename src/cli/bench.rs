@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use super::{args, check, output};
+use super::args::{self, Given};
+use super::{check, output};
 use crate::bxdf::models::MODELS;
 use crate::bxdf::{Material, Precision, Side, batch};
 use crate::error::{Error, Result};
@@ -15,7 +16,7 @@ use crate::lab::speed::{Mode, Operation, PAIRS, Pairs, Row, measure};
 pub(super) struct Arguments {
     /// The materials: id, id:name=value,name=value, or a .toml file; every model if none is named
     #[arg(value_parser = args::material)]
-    materials: Vec<Material>,
+    materials: Vec<Given>,
     /// A file of nine arrays of little-endian f32, one after the other: wo_x, wo_y, wo_z, wi_x, wi_y, wi_z, uc, u0, u1
     #[arg(long)]
     pairs: Option<PathBuf>,
@@ -49,19 +50,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
             .num_threads(threads.into())
             .build_global();
     }
-    let materials = if arguments.materials.is_empty() {
-        MODELS.into_iter().map(Material::of).collect()
+    let materials: Vec<(&str, Material)> = if arguments.materials.is_empty() {
+        let models = MODELS.into_iter();
+        models
+            .map(|model| (model.id, Material::of(model)))
+            .collect()
     } else {
-        arguments.materials.clone()
+        let given = arguments.materials.iter();
+        given
+            .map(|given| (given.text(), given.checked().clone()))
+            .collect()
     };
-    let rows: Vec<Row> = materials
-        .iter()
-        .flat_map(|material| {
-            let mut rows = rows::<f32>(material, file.as_deref());
-            rows.extend(self::rows::<f64>(material, file.as_deref()));
-            rows
-        })
-        .collect();
+    let mut rows = Vec::new();
+    for (text, material) in materials {
+        rows.extend(rows_of::<f32>(text, &material, file.as_deref()));
+        rows.extend(rows_of::<f64>(text, &material, file.as_deref()));
+    }
     let report = Report {
         machine: check::machine(),
         instruction_set: batch::instruction_set(),
@@ -76,7 +80,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
     }
 }
 
-fn rows<R: Precision>(material: &Material, file: Option<&[f64]>) -> Vec<Row> {
+fn rows_of<R: Precision>(text: &str, material: &Material, file: Option<&[f64]>) -> Vec<Row> {
     let pairs: Pairs<R> = file.map_or_else(
         || Pairs::random(PAIRS, material.has_side(Side::Transmission)),
         Pairs::from_arrays,
@@ -84,7 +88,11 @@ fn rows<R: Precision>(material: &Material, file: Option<&[f64]>) -> Vec<Row> {
     let mut rows = Vec::new();
     for operation in Operation::ALL {
         for mode in Mode::ALL {
-            rows.push(measure(material, &pairs, operation, mode));
+            let row = measure(material, &pairs, operation, mode);
+            rows.push(Row {
+                material: text.to_owned(),
+                ..row
+            });
         }
     }
     rows
