@@ -5,7 +5,7 @@ use crate::bxdf::optics::Spectrum;
 use crate::bxdf::spec::{Lobe, Precision};
 use crate::bxdf::{Bxdf, Delta, Deltas, Sample, Side};
 
-use super::Component;
+use super::{Component, MAX_COMPONENTS};
 
 /// Polar angles of the table of contributions: every 7.5 degrees from n to -n.
 const ELEVATIONS: usize = 25;
@@ -93,8 +93,8 @@ fn contributions(component: &Component) -> [f64; ELEVATIONS] {
 }
 
 impl<R: Real> Mixture<R> {
-    /// The probability of each component at `wo`, in their order.
-    fn shares(&self, wo: Vec3<R>) -> Vec<R> {
+    /// The probability of each component at `wo`, in their order; 0 behind the last.
+    fn shares(&self, wo: Vec3<R>) -> [R; MAX_COMPONENTS] {
         let place = wo.z.as_f64().clamp(-1.0, 1.0);
         let angle = place.atan2(wo.x.as_f64().hypot(wo.y.as_f64()));
         let x = (0.5 - angle / std::f64::consts::PI) * (ELEVATIONS - 1) as f64;
@@ -113,17 +113,12 @@ impl<R: Real> Mixture<R> {
                 0.0
             }
         };
-        let chances: Vec<f64> = self
-            .parts
-            .iter()
-            .map(|part| contribution(part).max(floor(part)))
-            .collect();
+        let mut chances = [0.0; MAX_COMPONENTS];
+        for (chance, part) in chances.iter_mut().zip(&self.parts) {
+            *chance = contribution(part).max(floor(part));
+        }
         let sum: f64 = chances.iter().sum();
-        let share = |chance: f64| if sum > 0.0 { chance / sum } else { 0.0 };
-        chances
-            .into_iter()
-            .map(|chance| R::of(share(chance)))
-            .collect()
+        chances.map(|chance| R::of(if sum > 0.0 { chance / sum } else { 0.0 }))
     }
 
     fn lobe(&self, index: usize) -> Option<(&Part<R>, usize)> {
