@@ -4,7 +4,8 @@ use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::optics::Spectrum;
 use brdf_explorer::bxdf::param::ParamSet;
 use brdf_explorer::bxdf::{
-    Builders, Bxdf, Category, Deltas, Lobe, Material, ModelSpec, Precision, Properties, Sample,
+    Builders, Bxdf, Category, Component, Deltas, Lobe, Material, ModelSpec, Precision, Properties,
+    Sample,
 };
 
 // What can be wrong with a model; each is put into an otherwise lawful one.
@@ -31,12 +32,30 @@ pub const BLIND: usize = 19;
 pub const PDF_SLIGHTLY_TOO_LARGE: usize = 20;
 pub const LOBE_TOO_DARK: usize = 21;
 pub const LOBE_PDF_TOO_LARGE: usize = 22;
+pub const NEEDLES: usize = 23;
+pub const NEEDLES_PDF: usize = 24;
+pub const NEEDLES_SAMPLES: usize = 25;
 
 /// A lawful model with one fault.
 struct Faulty<R, const FAULT: usize> {
     inner: Box<dyn Bxdf<R>>,
     /// What samples come from, where it is another model.
     sampled: Box<dyn Bxdf<R>>,
+}
+
+/// Two needles apart, and the same with one of them a tenth wider.
+const TWO_NEEDLES: &str = "retro_reflector:alpha=.04 + rough_conductor:alpha=.05";
+const ONE_NEEDLE_WIDER: &str = "retro_reflector:alpha=.044 + rough_conductor:alpha=.05";
+
+/// Models with a plus between them, as a material in equal parts.
+fn sum(text: &str) -> Material {
+    let texts: Vec<&str> = text.split(" + ").collect();
+    let component = |text: &&str| {
+        let mut component: Component = text.parse().unwrap();
+        component.set_weight(1.0 / texts.len() as f64).unwrap();
+        component
+    };
+    Material::new(texts.iter().map(component).collect()).unwrap()
 }
 
 fn build<R: Precision, const FAULT: usize>(_: &ParamSet) -> Box<dyn Bxdf<R>> {
@@ -52,6 +71,8 @@ fn build<R: Precision, const FAULT: usize>(_: &ParamSet) -> Box<dyn Bxdf<R>> {
             "rough_conductor:fresnel=one,alpha=.3",
             "rough_conductor:fresnel=one,alpha=.3",
         ),
+        NEEDLES | NEEDLES_PDF => (TWO_NEEDLES, TWO_NEEDLES),
+        NEEDLES_SAMPLES => (TWO_NEEDLES, ONE_NEEDLE_WIDER),
         WIDER_SAMPLES => (
             "rough_conductor:fresnel=one,alpha=.01",
             "rough_conductor:fresnel=one,alpha=.011",
@@ -61,10 +82,9 @@ fn build<R: Precision, const FAULT: usize>(_: &ParamSet) -> Box<dyn Bxdf<R>> {
             "lambertian_reflection:reflectance=.9",
         ),
     };
-    let model = |text: &str| text.parse::<Material>().unwrap().build::<R>();
     Box::new(Faulty::<R, FAULT> {
-        inner: model(inner),
-        sampled: model(sampled),
+        inner: sum(inner).build(),
+        sampled: sum(sampled).build(),
     })
 }
 
@@ -88,7 +108,7 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
         let pdf = self.inner.pdf(wo, wi);
         match FAULT {
             PDF_TOO_LARGE | NARROW_PDF => pdf * R::of(1.02),
-            PDF_SLIGHTLY_TOO_LARGE => pdf * R::of(1.002),
+            PDF_SLIGHTLY_TOO_LARGE | NEEDLES_PDF => pdf * R::of(1.002),
             NAN_AT_GRAZING if wi.z.abs() < R::of(1e-12) => R::nan(),
             F_WITHOUT_PDF if wi.x > R::of(0.9) => R::zero(),
             _ => pdf,
@@ -129,12 +149,11 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
         self.inner.lobes()
     }
 
-    fn lobe_f(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let f = self.f(wo, wi);
-        if FAULT == LOBE_TOO_DARK {
-            f * R::of(0.999)
-        } else {
-            f
+    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        match FAULT {
+            NEEDLES | NEEDLES_PDF | NEEDLES_SAMPLES => self.inner.lobe_f(index, wo, wi),
+            LOBE_TOO_DARK => self.f(wo, wi) * R::of(0.999),
+            _ => self.f(wo, wi),
         }
     }
 
@@ -170,6 +189,10 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
 
 const DIFFUSE: &[Lobe] = &[Lobe::reflection(Category::Diffuse)];
 const GLOSSY: &[Lobe] = &[Lobe::reflection(Category::GlossySpecular)];
+const NEEDLE_PAIR: &[Lobe] = &[
+    Lobe::reflection(Category::RetroReflective),
+    Lobe::reflection(Category::GlossySpecular),
+];
 const DELTAS: &[Lobe] = &[
     Lobe::reflection(Category::PerfectSpecular),
     Lobe::transmission(Category::PerfectSpecular),
@@ -181,6 +204,7 @@ pub fn faulty<const FAULT: usize>(properties: Properties) -> ModelSpec {
     let lobes: &[Lobe] = match FAULT {
         _ if is_delta => DELTAS,
         NARROW_PDF | WIDER_SAMPLES | PDF_SLIGHTLY_TOO_LARGE => GLOSSY,
+        NEEDLES | NEEDLES_PDF | NEEDLES_SAMPLES => NEEDLE_PAIR,
         _ => DIFFUSE,
     };
     let relative_index: fn(&ParamSet) -> f64 = if is_delta { |_| 1.5 } else { |_| 1.0 };

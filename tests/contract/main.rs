@@ -75,7 +75,7 @@ fn a_million_samples_agree_with_the_integrals() {
 }
 
 /// Mixtures of lobes that overlap, lie on both sides, are deltas, blades, needles or faint.
-const MIXTURES: [&[(f64, &str)]; 5] = [
+const MIXTURES: [&[(f64, &str)]; 6] = [
     &[
         (0.5, "rough_conductor:alpha_x=.01,alpha_y=.3"),
         (0.4, "eon:roughness=.7"),
@@ -99,6 +99,11 @@ const MIXTURES: [&[(f64, &str)]; 5] = [
         (0.25, "plastic:alpha=0"),
         (0.0, "principled"),
         (0.2, "hapke"),
+    ],
+    // A needle back and one forth: from the horizon each is a thin wedge at the far rim of the other's half vectors.
+    &[
+        (0.5, "retro_reflector:reflectance=0.8/0.06/0.05,alpha=0.04"),
+        (0.5, "plastic:diffuse=0.5/0.02/0.02,alpha=0.05"),
     ],
 ];
 
@@ -222,6 +227,19 @@ fn thorough_checks_catch_a_density_wrong_by_a_fifth_of_a_percent() {
     let model = faulty::<PDF_SLIGHTLY_TOO_LARGE>(Properties::PLAIN);
     let status = |effort| status_of(&check(&model, effort), LawId::PdfIntegral);
     assert_eq!(status(Effort::Thorough), Status::Violated);
+}
+
+#[test]
+fn two_needles_are_told_from_faulty_ones() {
+    fn reports<const FAULT: usize>() -> Vec<LawReport> {
+        check(&faulty::<FAULT>(Properties::PLAIN), Effort::Thorough)
+    }
+    for report in reports::<NEEDLES>() {
+        assert!(report.status.is_pass(), "{report:#?}");
+    }
+    let [wrong_pdf, wrong_samples] = [reports::<NEEDLES_PDF>(), reports::<NEEDLES_SAMPLES>()];
+    assert_eq!(status_of(&wrong_pdf, LawId::PdfIntegral), Status::Violated);
+    assert_eq!(status_of(&wrong_samples, LawId::Sampling), Status::Violated);
 }
 
 #[test]

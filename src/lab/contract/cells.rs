@@ -1,4 +1,4 @@
-//! A partition of the sphere that follows a lobe: cells of about equal probability, and integrals over each.
+//! Partitions of the sphere that follow its lobes: cells of about equal probability, and integrals over each.
 //!
 //! A narrow lobe is a smooth bump in the slopes of its half vector, wherever it points; a solid-angle grid would miss it.
 //! Each hemisphere therefore has a chart in which the lobe is smooth, cut at the medians of pilot samples.
@@ -6,6 +6,8 @@
 use glam::DVec3;
 
 use super::chart::{Chart, median};
+use super::families::Family;
+use super::statistics::Random;
 use super::subject::Subject;
 use crate::bxdf::math::quadrature::gauss_legendre;
 
@@ -83,6 +85,9 @@ enum Node {
 }
 
 struct Hemisphere {
+    family: Family,
+    /// The sign of z.
+    sign: f64,
     chart: Chart,
     root: Node,
     cells: Vec<Rectangle>,
@@ -90,9 +95,11 @@ struct Hemisphere {
     first: usize,
 }
 
-/// The sphere cut into cells, upper hemisphere first.
-pub(super) struct Partition {
-    hemispheres: [Hemisphere; 2],
+/// The sphere cut into cells for each family of lobes, upper hemisphere first.
+pub(super) struct Partition<'a> {
+    subject: &'a Subject,
+    wo: DVec3,
+    hemispheres: Vec<Hemisphere>,
     rule: Vec<(f64, f64)>,
 }
 
@@ -122,33 +129,53 @@ impl CellIntegral {
     }
 }
 
-impl Partition {
+impl<'a> Partition<'a> {
     /// The partition that follows the samples `pilots` of `subject` at `wo`.
-    pub(super) fn new(subject: &Subject, wo: DVec3, pilots: &[DVec3]) -> Self {
+    pub(super) fn new(
+        subject: &'a Subject,
+        wo: DVec3,
+        pilots: &[DVec3],
+        random: &mut Random,
+    ) -> Self {
+        let own: Vec<(Family, DVec3)> = pilots
+            .iter()
+            .map(|w| (Family::drawn(subject, wo, *w, random), *w))
+            .collect();
+        let mut hemispheres = Vec::new();
         let mut first = 0;
-        let hemispheres = [1.0, -1.0].map(|sign| {
-            let inside: Vec<DVec3> = pilots
-                .iter()
-                .copied()
-                .filter(|w| w.z * sign > 0.0)
-                .collect();
-            let hemisphere = Hemisphere::new(subject, wo, sign, &inside, first);
-            first += hemisphere.cells.len();
-            hemisphere
-        });
-        let rule = gauss_legendre(NODES);
-        Self { hemispheres, rule }
+        for &family in Family::of(subject) {
+            for sign in [1.0, -1.0] {
+                let inside: Vec<DVec3> = own
+                    .iter()
+                    .filter(|(owner, w)| *owner == family && w.z * sign > 0.0)
+                    .map(|(_, w)| *w)
+                    .collect();
+                let chart = Chart::new(subject, wo, sign, family.is_back(subject), &inside);
+                let hemisphere = Hemisphere::new(family, sign, chart, &inside, first);
+                first += hemisphere.cells.len();
+                hemispheres.push(hemisphere);
+            }
+        }
+        Self {
+            subject,
+            wo,
+            hemispheres,
+            rule: gauss_legendre(NODES),
+        }
     }
 
-    /// The number of the cell that contains `wi`.
-    pub(super) fn cell_of(&self, wi: DVec3) -> usize {
-        let [upper, lower] = &self.hemispheres;
-        let hemisphere = if wi.z > 0.0 { upper } else { lower };
+    /// The number of the cell that contains `wi`, for a family drawn with the shares they have of it.
+    pub(super) fn cell_of(&self, wi: DVec3, random: &mut Random) -> Option<usize> {
+        let family = Family::drawn(self.subject, self.wo, wi, random);
+        let sign = if wi.z > 0.0 { 1.0 } else { -1.0 };
+        let is_it =
+            |hemisphere: &&Hemisphere| (hemisphere.family, hemisphere.sign) == (family, sign);
+        let hemisphere = self.hemispheres.iter().find(is_it)?;
         let [x, y] = hemisphere.chart.coordinates(wi);
         let mut node = &hemisphere.root;
         loop {
             match node {
-                Node::Cell(index) => return hemisphere.first + index,
+                Node::Cell(index) => return Some(hemisphere.first + index),
                 Node::Cut {
                     is_x,
                     at,
@@ -162,7 +189,8 @@ impl Partition {
         }
     }
 
-    /// The integrals of `f` over solid angle in every cell, each refined until its error is estimated at `tolerance`.
+    /// The integrals of `f` over solid angle in every cell, as far as they are its family's, each refined until its error
+    /// is estimated at `tolerance`.
     pub(super) fn integrate(
         &self,
         f: impl Fn(DVec3) -> Channels,
@@ -172,7 +200,8 @@ impl Partition {
         for hemisphere in &self.hemispheres {
             let integrand = |at: [f64; 2]| {
                 let (wi, density) = hemisphere.chart.direction(at);
-                f(wi).map(|x| x * density)
+                let share = hemisphere.family.share(self.subject, self.wo, wi);
+                f(wi).map(|x| x * (share * density))
             };
             for &cell in &hemisphere.cells {
                 let coarse = self.product_rule(&hemisphere.chart, cell, &integrand);
@@ -255,13 +284,14 @@ impl Partition {
 }
 
 impl Hemisphere {
-    fn new(subject: &Subject, wo: DVec3, sign: f64, inside: &[DVec3], first: usize) -> Self {
-        let chart = Chart::new(subject, wo, sign, inside);
+    fn new(family: Family, sign: f64, chart: Chart, inside: &[DVec3], first: usize) -> Self {
         let [x, y] = [chart.widest_x_range(), chart.y_range()];
         let mut points: Vec<[f64; 2]> = inside.iter().map(|w| chart.coordinates(*w)).collect();
         let mut cells = Vec::new();
         let root = cut(&mut points, Rectangle { x, y }, true, &mut cells);
         Self {
+            family,
+            sign,
             chart,
             root,
             cells,
@@ -321,7 +351,6 @@ fn middle_and_half([a, b]: [f64; 2]) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::statistics::Random;
     use super::*;
     use crate::bxdf::Material;
     use crate::bxdf::math::frame::direction_from_degrees;
@@ -340,7 +369,7 @@ mod tests {
                 Some(sample?.wi.into())
             })
             .collect();
-        let partition = Partition::new(&subject, wo, &pilots);
+        let partition = Partition::new(&subject, wo, &pilots, &mut random);
         let density = |wi: DVec3| [subject.double.pdf(wo.into(), wi.into()); CHANNELS];
         CellIntegral::sum(&partition.integrate(density, 1e-6))
     }

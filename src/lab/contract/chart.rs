@@ -39,10 +39,16 @@ const REACH: f64 = 1e7;
 const THIN: f64 = 0.03;
 
 impl Chart {
-    /// The chart of the hemisphere with this sign of z in which the lobe at `wo` is smooth; `inside`: samples in it.
-    pub(super) fn new(subject: &Subject, wo: DVec3, sign: f64, inside: &[DVec3]) -> Self {
+    /// The chart of the hemisphere with this sign of z in which the lobe at `wo`, which may point back, is smooth;
+    /// `inside`: samples in it.
+    pub(super) fn new(
+        subject: &Subject,
+        wo: DVec3,
+        sign: f64,
+        is_back: bool,
+        inside: &[DVec3],
+    ) -> Self {
         let above = |w: DVec3| DVec3::new(w.x, w.y, w.z.abs());
-        let is_back = subject.has_category(Category::RetroReflective);
         let is_near = wo.z * sign > 0.0;
         let is_lobed = subject.has_side(Side::Reflection)
             && (is_back || subject.has_category(Category::GlossySpecular));

@@ -13,6 +13,7 @@ mod cells;
 mod chart;
 mod deltas;
 mod energy;
+mod families;
 mod finite;
 mod limits;
 mod lobes;

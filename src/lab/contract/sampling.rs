@@ -37,7 +37,7 @@ pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
         // Seeds of their own, so that the tests of a run are independent, as Sidak's correction takes them to be.
         let mut random = Random::new(subject.seed() ^ index as u64);
         let pilots = pilot_samples(subject, wo, &mut random, tallies);
-        let partition = Partition::new(subject, wo, &pilots);
+        let partition = Partition::new(subject, wo, &pilots, &mut random);
         let w: Vec3<f64> = wo.into();
         let integrals = partition.integrate(
             |other| {
@@ -151,7 +151,7 @@ fn goodness_of_fit(
     subject: &Subject,
     wo: DVec3,
     plan: &Plan,
-    partition: &Partition,
+    partition: &Partition<'_>,
     integrals: &[CellIntegral],
     random: &mut Random,
     tallies: &mut Tallies,
@@ -176,7 +176,7 @@ fn goodness_of_fit(
             let index = if sample.is_delta {
                 integrals.len() + deltas.iter().position(|(w, _)| *w == sample.wi)?
             } else {
-                partition.cell_of(sample.wi.into())
+                partition.cell_of(sample.wi.into(), random)?
             };
             bins.get_mut(index)
         });
