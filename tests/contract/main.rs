@@ -9,6 +9,7 @@ mod faulty;
 
 use std::sync::Mutex;
 
+use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::{Component, Declaration, Law, Material, ModelSpec, Properties};
 use brdf_explorer::lab::contract::{
@@ -125,6 +126,21 @@ fn mixtures_keep_every_law() {
             assert!(report.status.is_pass(), "{line}");
         }
     }
+}
+
+#[test]
+fn every_named_material_keeps_every_law() {
+    let failures: Vec<String> = library::all()
+        .par_iter()
+        .flat_map(|named| {
+            let reports = check_material(&named.material, Effort::Quick);
+            let failed = reports.iter().filter(|report| !report.status.is_pass());
+            failed
+                .map(|report| failure_line(named.id, report))
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
 #[test]
