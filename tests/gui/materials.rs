@@ -1,6 +1,6 @@
 //! The gestures on named materials and their lobes, by accessible label.
 
-use brdf_explorer::bxdf::Material;
+use brdf_explorer::bxdf::{Component, Material};
 use brdf_explorer::ui::app::App;
 use egui::Role;
 use egui_kittest::Harness;
@@ -13,13 +13,26 @@ fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.run();
 }
 
-/// Adds a glossy lobe of the model with this title.
-fn add_lobe(harness: &mut Harness<'_, App>, title: &str) {
+/// Adds a lobe of the model with this title, found in this category.
+fn add_lobe(harness: &mut Harness<'_, App>, [category, title]: [&str; 2]) {
+    harness.get_by_label("Add a lobe…").scroll_to_me();
+    harness.run();
     click(harness, "Add a lobe…");
-    for label in ["Glossy specular", title] {
+    for label in [category, title] {
         harness.get_by_role_and_label(Role::Button, label).click();
         harness.run();
     }
+}
+
+/// The category and the title of a model.
+const PHONG: [&str; 2] = ["Glossy specular", "Phong"];
+
+/// Sets the slider with this label.
+fn slide(harness: &mut Harness<'_, App>, label: &str, value: f64) {
+    harness
+        .get_by_role_and_label(Role::Slider, label)
+        .set_value_accesskit(value);
+    harness.run();
 }
 
 fn shown<'a>(harness: &'a Harness<'_, App>) -> &'a Material {
@@ -122,31 +135,26 @@ fn lobes_are_added_weighed_and_removed() {
             .query_by_role_and_label(Role::Slider, "Weight")
             .is_none()
     );
-    add_lobe(&mut harness, "Phong");
+    add_lobe(&mut harness, PHONG);
     assert_eq!(
         shown(&harness).to_string(),
         "lambertian_reflection + 0.25 * phong"
     );
-    let weights: Vec<_> = harness
-        .query_all_by_role_and_label(Role::Slider, "Weight")
-        .collect();
-    assert_eq!(weights.len(), 2);
-    weights[1].set_value_accesskit(0.5);
-    harness.run();
+    slide(&mut harness, "Weight of lobe 2", 0.5);
     assert_eq!(shown(&harness).components()[1].weight(), 0.5);
     // Its parameters fold away.
     assert!(
         harness
-            .query_by_role_and_label(Role::Slider, "Exponent")
+            .query_by_role_and_label(Role::Slider, "Exponent of lobe 2")
             .is_some()
     );
-    click(&mut harness, "Parameters of Phong");
+    click(&mut harness, "Parameters of lobe 2, Phong");
     assert!(
         harness
-            .query_by_role_and_label(Role::Slider, "Exponent")
+            .query_by_role_and_label(Role::Slider, "Exponent of lobe 2")
             .is_none()
     );
-    click(&mut harness, "Remove Lambertian reflection");
+    click(&mut harness, "Remove lobe 1, Lambertian reflection");
     assert_eq!(shown(&harness).to_string(), "0.5 * phong");
     // A single lobe shows a weight that is not 1.
     click(&mut harness, "Reset Weight");
@@ -159,22 +167,51 @@ fn lobes_are_added_weighed_and_removed() {
 }
 
 #[test]
-fn a_second_index_of_refraction_is_refused_with_the_reason() {
+fn lobes_that_light_crosses_share_the_index() {
     let mut harness = window("fresnel_specular:eta=1.33");
-    add_lobe(&mut harness, "Rough dielectric");
+    add_lobe(&mut harness, ["Glossy specular", "Rough dielectric"]);
+    for (label, index) in [("Eta of lobe 1", 1.6), ("Eta of lobe 2", 1.4)] {
+        slide(&mut harness, label, index);
+        let components = shown(&harness).components();
+        let indices: Vec<f64> = components.iter().map(Component::relative_index).collect();
+        assert_eq!(indices, [index; 2]);
+    }
+    // A model without an index of its own cannot take it over.
     let before = shown(&harness).clone();
-    assert_eq!(before.components().len(), 2);
     let disagree = "disagree on the index of refraction";
     assert!(harness.query_by_label_contains(disagree).is_none());
-    let etas: Vec<_> = harness
-        .query_all_by_role_and_label(Role::Slider, "Eta")
-        .collect();
-    etas[0].set_value_accesskit(1.6);
-    harness.run();
+    add_lobe(&mut harness, ["Diffuse", "Lambertian transmission"]);
     assert_eq!(*shown(&harness), before);
     assert!(harness.query_by_label_contains(disagree).is_some());
-    click(&mut harness, "Remove Rough dielectric");
+    click(&mut harness, "Remove lobe 2, Rough dielectric");
     assert!(harness.query_by_label_contains(disagree).is_none());
+}
+
+#[test]
+fn the_controls_of_several_lobes_have_names_of_their_own() {
+    let mut harness = window("rough_conductor");
+    add_lobe(&mut harness, ["Glossy specular", "Rough conductor"]);
+    for ordinal in [1, 2] {
+        for (role, label) in [
+            (Role::Slider, "Weight"),
+            (Role::Slider, "Alpha x"),
+            (Role::Slider, "Eta G"),
+            (Role::ComboBox, "Fresnel"),
+            (Role::Button, "Reset Alpha x"),
+        ] {
+            let label = format!("{label} of lobe {ordinal}");
+            let found = harness.query_all_by_role_and_label(role, &label).count();
+            assert_eq!(found, 1, "{label}");
+        }
+    }
+    slide(&mut harness, "Alpha x of lobe 2", 0.5);
+    let widths: Vec<f64> = shown(&harness)
+        .components()
+        .iter()
+        .map(|component| component.params().number("alpha_x"))
+        .collect();
+    assert_eq!(widths[1], 0.5);
+    assert_ne!(widths[0], 0.5);
 }
 
 #[test]
@@ -206,13 +243,8 @@ fn a_mixture_that_creates_energy_is_warned_of() {
     let mut harness = window("lambertian_reflection");
     let warning = "creates energy";
     assert!(harness.query_by_label(warning).is_none());
-    add_lobe(&mut harness, "Phong");
-    let weight = harness
-        .get_all_by_role_and_label(Role::Slider, "Weight")
-        .next_back()
-        .unwrap();
-    weight.set_value_accesskit(1.0);
-    harness.run();
+    add_lobe(&mut harness, PHONG);
+    slide(&mut harness, "Weight of lobe 2", 1.0);
     assert!(harness.query_by_label(warning).is_some());
     harness.get_by_label(warning).hover();
     harness.run();

@@ -37,11 +37,12 @@ impl Components {
             ui.push_id(index, |ui| {
                 if !is_mixture {
                     show_only(ui, component);
-                } else if show_one_of_many(ui, component) {
+                } else if show_one_of_many(ui, component, index + 1) {
                     removed = Some(index);
                 }
             });
         }
+        carry_index(material.components(), &mut components);
         if let Some(index) = removed {
             components.remove(index);
         }
@@ -111,20 +112,20 @@ fn show_only(ui: &mut Ui, component: &mut Component) {
     ui.label(RichText::new(model.summary).small());
     ui.add_space(2.0);
     if component.weight() != 1.0 {
-        params::show_weight(ui, component);
+        params::show_weight(ui, component, None);
     }
-    params::show(ui, component);
+    params::show(ui, component, None);
 }
 
-/// A component of several, under a header. Returns whether it is to be removed.
-fn show_one_of_many(ui: &mut Ui, component: &mut Component) -> bool {
+/// A component of several, under a header. `ordinal`: its number, from 1. Returns whether it is to be removed.
+fn show_one_of_many(ui: &mut Ui, component: &mut Component, ordinal: usize) -> bool {
     let model = component.model();
     let id = ui.make_persistent_id("parameters");
     let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, true);
     let mut is_removed = false;
     ui.horizontal(|ui| {
         let toggle = state.show_toggle_button(ui, paint_default_icon);
-        let name = format!("Parameters of {}", model.title);
+        let name = format!("Parameters of lobe {ordinal}, {}", model.title);
         let is_open = state.is_open();
         toggle.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, &name));
         toggle.on_hover_text("Show or hide the parameters of this lobe");
@@ -134,13 +135,13 @@ fn show_one_of_many(ui: &mut Ui, component: &mut Component) -> bool {
             let remove = ui
                 .add(Button::new("✖").small().frame(false))
                 .on_hover_text("Remove this lobe");
-            let name = format!("Remove {}", model.title);
+            let name = format!("Remove lobe {ordinal}, {}", model.title);
             remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
             is_removed = remove.clicked();
         });
     });
-    params::show_weight(ui, component);
-    state.show_body_unindented(ui, |ui| params::show(ui, component));
+    params::show_weight(ui, component, Some(ordinal));
+    state.show_body_unindented(ui, |ui| params::show(ui, component, Some(ordinal)));
     ui.separator();
     is_removed
 }
@@ -190,6 +191,23 @@ fn added(model: &'static ModelSpec, material: &Material) -> Component {
     component
 }
 
+/// The index of refraction below the surface is one: where a lobe that light crosses got another than it had `before`,
+/// the other such lobes of `components` take it over.
+fn carry_index(before: &[Component], components: &mut [Component]) {
+    let is_crossed = |component: &Component| component.model().transmits();
+    let mut pairs = components.iter().zip(before);
+    let changed = pairs
+        .find(|(now, then)| is_crossed(now) && now.relative_index() != then.relative_index())
+        .map(|(now, _)| now.relative_index());
+    let Some(index) = changed else { return };
+    let others =
+        |component: &&mut Component| is_crossed(component) && component.relative_index() != index;
+    for component in components.iter_mut().filter(others) {
+        // A model without such a parameter, or whose range ends before, is refused with the reason.
+        let _ = component.set("eta", Value::Number(index));
+    }
+}
+
 /// The reason of a refusal, in a line.
 fn reason(error: Error) -> String {
     match error {
@@ -213,7 +231,12 @@ mod tests {
         );
         let mut both = water.components().to_vec();
         both.push(rough);
-        assert!(water.with_components(both).is_ok());
+        assert!(water.with_components(both.clone()).is_ok());
+        let mut edited = both.clone();
+        edited[1].set("eta", Value::Number(1.6)).unwrap();
+        carry_index(&both, &mut edited);
+        let indices = edited.iter().map(Component::relative_index);
+        assert_eq!(indices.collect::<Vec<_>>(), [1.6, 1.6]);
         let plain = added(models::find("phong").unwrap(), &water);
         assert_eq!(plain.to_string(), "phong");
     }

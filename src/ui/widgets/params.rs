@@ -1,6 +1,6 @@
 //! Sliders, drop-downs and colour buttons, made from the parameter specs.
 
-use egui::{ComboBox, DragValue, Slider, Ui};
+use egui::{ComboBox, DragValue, Response, Slider, Ui, accesskit};
 
 use crate::bxdf::Component;
 use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
@@ -18,13 +18,13 @@ static WEIGHT: ParamSpec = ParamSpec::number(
 .hard(0.0, 10.0)
 .soft(0.0, 1.0);
 
-/// The weight of `component`.
-pub fn show_weight(ui: &mut Ui, component: &mut Component) {
+/// The weight of `component`; `ordinal` as for [`show`].
+pub fn show_weight(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>) {
     let weight = component.weight();
     let mut edited = Value::Number(weight);
     ui.scope(|ui| {
         ui.spacing_mut().slider_width = slider_width(ui, labels(&WEIGHT).into_iter());
-        row(ui, &WEIGHT, &mut edited);
+        row(ui, &WEIGHT, &mut edited, ordinal);
     });
     if let Value::Number(edited) = edited
         && edited != weight
@@ -35,7 +35,9 @@ pub fn show_weight(ui: &mut Ui, component: &mut Component) {
 }
 
 /// The parameters of `component`; those without effect at present are left out.
-pub fn show(ui: &mut Ui, component: &mut Component) {
+///
+/// `ordinal`: the number of `component` among several lobes, from 1, which their accessible names then say.
+pub fn show(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>) {
     let params = component.params().clone();
     let sliders = params
         .iter()
@@ -44,7 +46,7 @@ pub fn show(ui: &mut Ui, component: &mut Component) {
     for (spec, value) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
         let mut edited = value;
         ui.push_id((component.model().id, spec.name), |ui| {
-            row(ui, spec, &mut edited);
+            row(ui, spec, &mut edited, ordinal);
         });
         if edited != value {
             set(component, spec, edited);
@@ -72,27 +74,43 @@ fn set(component: &mut Component, spec: &ParamSpec, value: Value) {
     }
 }
 
-fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value) {
+/// The name under which assistive tools know the control with this label.
+fn accessible(label: &str, ordinal: Option<usize>) -> String {
+    ordinal.map_or_else(
+        || label.to_owned(),
+        |ordinal| format!("{label} of lobe {ordinal}"),
+    )
+}
+
+/// Gives the control of `response` its accessible name.
+fn name(response: &Response, label: &str, ordinal: Option<usize>) {
+    let name = accessible(label, ordinal);
+    let set_label = |node: &mut accesskit::Node| node.set_label(name);
+    response.ctx.accesskit_node_builder(response.id, set_label);
+}
+
+fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value, ordinal: Option<usize>) {
     ui.horizontal(|ui| {
         let hint = hint(spec);
         match value {
-            Value::Number(number) => slider(ui, spec, &spec.label(), number),
+            Value::Number(number) => slider(ui, spec, (&spec.label(), ordinal), number),
             Value::Rgb(rgb) if spec.is_colour() => {
                 ui.vertical(|ui| {
                     ui.label(spec.label()).on_hover_text(&hint);
-                    ui.horizontal(|ui| colour(ui, spec, rgb));
+                    ui.horizontal(|ui| colour(ui, spec, rgb, ordinal));
                 });
             }
             Value::Rgb(rgb) => {
                 ui.vertical(|ui| {
                     for (channel, label) in rgb.iter_mut().zip(labels(spec)) {
-                        slider(ui, spec, &label, channel);
+                        slider(ui, spec, (&label, ordinal), channel);
                     }
                 });
             }
-            Value::Choice(word) => choice(ui, spec, word),
+            Value::Choice(word) => choice(ui, spec, word, ordinal),
             Value::Bool(flag) => {
-                ui.checkbox(flag, spec.label()).on_hover_text(&hint);
+                let checkbox = ui.checkbox(flag, spec.label()).on_hover_text(&hint);
+                name(&checkbox, &spec.label(), ordinal);
             }
         }
         let is_changed = *value != spec.default;
@@ -101,7 +119,7 @@ fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value) {
             let response = ui
                 .add_enabled(is_changed, reset)
                 .on_hover_text(format!("Reset to {}", spec.default));
-            let name = format!("Reset {}", spec.label());
+            let name = accessible(&format!("Reset {}", spec.label()), ordinal);
             response
                 .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_changed, &name));
             if response.clicked() {
@@ -126,7 +144,12 @@ fn hint(spec: &ParamSpec) -> String {
     }
 }
 
-fn slider(ui: &mut Ui, spec: &ParamSpec, label: &str, number: &mut f64) {
+fn slider(
+    ui: &mut Ui,
+    spec: &ParamSpec,
+    (label, ordinal): (&str, Option<usize>),
+    number: &mut f64,
+) {
     let [low, high] = spec.soft;
     let [hard_low, hard_high] = spec.hard;
     // The slider covers the soft range; a typed number may lie anywhere in the hard one.
@@ -143,8 +166,11 @@ fn slider(ui: &mut Ui, spec: &ParamSpec, label: &str, number: &mut f64) {
     .suffix(if spec.unit == "degrees" { "°" } else { "" })
     .text(label);
     // The slider's text has no tooltip of its own: the whole row shows it.
-    let row = ui.scope(|ui| ui.add(slider)).response;
-    row.on_hover_text(hint(spec));
+    let row = ui.scope(|ui| {
+        let slider = ui.add(slider);
+        name(&slider, label, ordinal);
+    });
+    row.response.on_hover_text(hint(spec));
 }
 
 /// The labels of a parameter's sliders.
@@ -173,34 +199,33 @@ fn slider_width(ui: &Ui, labels: impl Iterator<Item = String>) -> f32 {
     (ui.available_width() - rest).clamp(theme::SHORTEST_SLIDER, spacing.slider_width)
 }
 
-fn colour(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3]) {
+fn colour(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3], ordinal: Option<usize>) {
     let mut color = rgb.map(|channel| channel as f32);
     let button = ui
         .color_edit_button_rgb(&mut color)
         .on_hover_text(hint(spec));
-    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ColorWell, true, spec.label()));
+    let label = accessible(&spec.label(), ordinal);
+    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ColorWell, true, &label));
     if button.changed() {
         *rgb = color.map(|channel| f64::from(channel).clamp(spec.hard[0], spec.hard[1]));
     }
-    for (channel, name) in rgb.iter_mut().zip(CHANNELS) {
+    for (channel, letter) in rgb.iter_mut().zip(CHANNELS) {
         let speed = 0.005 * (spec.soft[1] - spec.soft[0]);
         let field = DragValue::new(channel)
-            .prefix(format!("{name} "))
+            .prefix(format!("{letter} "))
             .range(spec.hard[0]..=spec.hard[1])
             .speed(speed)
             .max_decimals(3);
-        let label = format!("{} {name}", spec.label());
         let response = ui
             .add(field)
-            .on_hover_text(format!("{name}\n{}", hint(spec)));
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label(label));
+            .on_hover_text(format!("{letter}\n{}", hint(spec)));
+        name(&response, &format!("{} {letter}", spec.label()), ordinal);
     }
 }
 
-fn choice(ui: &mut Ui, spec: &ParamSpec, word: &mut &'static str) {
+fn choice(ui: &mut Ui, spec: &ParamSpec, word: &mut &'static str, ordinal: Option<usize>) {
     let label = spec.label();
-    ComboBox::from_label(&label)
+    let combo_box = ComboBox::from_label(&label)
         .selected_text(sentence(word))
         .width(theme::COMBO_WIDTH)
         .show_ui(ui, |ui| {
@@ -210,6 +235,7 @@ fn choice(ui: &mut Ui, spec: &ParamSpec, word: &mut &'static str) {
         })
         .response
         .on_hover_text(hint(spec));
+    name(&combo_box, &label, ordinal);
 }
 
 /// A word of the command line as the screen shows it.
