@@ -7,6 +7,7 @@
 )]
 
 use brdf_explorer::bxdf::batch::{Job, Path};
+use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::optics::Spectrum;
@@ -23,7 +24,7 @@ fn spiral<R: Real>(n: usize, turn: f64) -> [Vec<R>; 3] {
     [0, 1, 2].map(|axis: usize| (0..n).map(|i| R::of(at(i)[axis])).collect())
 }
 
-fn batches_give_what_single_calls_give<R: Precision>(n: usize) {
+fn batches_give_what_single_calls_give<R: Precision + Real<Stored = R>>(n: usize) {
     let (wo, wi) = (spiral::<R>(n, 2.4), spiral::<R>(n, 1.7));
     let numbers = spiral::<R>(n, 0.9).map(|axis| {
         let half = R::of(0.4999);
@@ -33,8 +34,12 @@ fn batches_give_what_single_calls_give<R: Precision>(n: usize) {
     });
     let [uc, u, v] = &numbers;
     let at = |d: &[Vec<R>; 3], i: usize| Vec3::new(d[0][i], d[1][i], d[2][i]);
-    for model in MODELS {
-        let bxdf = Material::of(model).build::<R>();
+    let mixture = library::find("road_sign").unwrap();
+    let models = MODELS
+        .into_iter()
+        .map(|model| (model.id, Material::of(model)));
+    for (id, material) in models.chain([(mixture.id, mixture.material.clone())]) {
+        let bxdf = material.build::<R>();
         for path in [Path::Plain, Path::Dispatched] {
             let mut all: Vec<Vec<R>> = vec![vec![R::zero(); n]; 8];
             let wo_in = wo.each_ref().map(Vec::as_slice);
@@ -52,8 +57,8 @@ fn batches_give_what_single_calls_give<R: Precision>(n: usize) {
             );
             for k in 0..n {
                 let single = bxdf.f(at(&wo, k), at(&wi, k));
-                assert_eq!(Spectrum([r[k], g[k], b[k]]), single, "{} {k}", model.id);
-                assert_eq!(pdf[k], bxdf.pdf(at(&wo, k), at(&wi, k)), "{} {k}", model.id);
+                assert_eq!(Spectrum([r[k], g[k], b[k]]), single, "{id} {k}");
+                assert_eq!(pdf[k], bxdf.pdf(at(&wo, k), at(&wi, k)), "{id} {k}");
             }
             let job = Job::Sample {
                 wo: wo_in,
@@ -67,16 +72,11 @@ fn batches_give_what_single_calls_give<R: Precision>(n: usize) {
             bxdf.batch(path, job);
             for k in 0..n {
                 let single = bxdf.sample_f(at(&wo, k), uc[k], [u[k], v[k]]);
-                assert_eq!(
-                    pdf[k],
-                    single.map_or(R::zero(), |s| s.pdf),
-                    "{} {k}",
-                    model.id
-                );
+                assert_eq!(pdf[k], single.map_or(R::zero(), |s| s.pdf), "{id} {k}");
                 if let Some(sample) = single {
-                    assert_eq!(Vec3::new(x[k], y[k], z[k]), sample.wi, "{} {k}", model.id);
-                    assert_eq!(Spectrum([r[k], g[k], b[k]]), sample.f, "{} {k}", model.id);
-                    assert_eq!(delta[k] == R::one(), sample.is_delta, "{} {k}", model.id);
+                    assert_eq!(Vec3::new(x[k], y[k], z[k]), sample.wi, "{id} {k}");
+                    assert_eq!(Spectrum([r[k], g[k], b[k]]), sample.f, "{id} {k}");
+                    assert_eq!(delta[k] == R::one(), sample.is_delta, "{id} {k}");
                 }
             }
         }

@@ -8,9 +8,9 @@
 use fearless_simd::{Level, Simd};
 use fearless_simd_macros::simd;
 
-use super::Bxdf;
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
+use super::{Bxdf, Sample};
 
 /// Many directions: their components along s, t and n. The slices are of one length.
 pub type Directions<'a, R> = [&'a [R]; 3];
@@ -79,30 +79,36 @@ pub enum Path {
 }
 
 /// Runs `job` on `bxdf`.
-pub(super) fn run<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, path: Path, job: Job<'_, R>) {
-    // A sample's loop does not vectorise (its sines are calls): wider instructions would only cost compile time.
-    if R::VECTORISES && path == Path::Dispatched && !matches!(job, Job::Sample { .. }) {
-        values_dispatched(bxdf, job);
+pub(in crate::bxdf) fn run<R: Real, B: Bxdf<R> + ?Sized>(
+    bxdf: &B,
+    path: Path,
+    job: Job<'_, R::Stored>,
+) {
+    let vectorises = match job {
+        Job::Sample { .. } => R::FUNCTIONS_VECTORISE,
+        _ => R::VECTORISES,
+    };
+    if vectorises && path == Path::Dispatched {
+        dispatch(bxdf, job);
     } else {
         work(bxdf, job);
     }
 }
 
-/// Values and densities for the best instruction set: of those of a processor's kind, only the widest two are worth a
-/// loop of their own.
-fn values_dispatched<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
+/// Works for the best instruction set: of those of a processor's kind, only the widest two are worth loops of their own.
+fn dispatch<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
     let level = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
         if let Some(avx512) = level.as_avx512() {
-            return values_with(avx512, bxdf, job);
+            return work_with(avx512, bxdf, job);
         }
         if let Some(avx2) = level.as_avx2() {
-            return values_with(avx2, bxdf, job);
+            return work_with(avx2, bxdf, job);
         }
     }
     let _ = level;
-    values(bxdf, job);
+    work(bxdf, job);
 }
 
 /// The name of the instruction set that [`Path::Dispatched`] uses on this machine.
@@ -114,8 +120,8 @@ pub fn instruction_set() -> String {
 }
 
 #[simd]
-fn values_with<S: Simd, R: Real, B: Bxdf<R> + ?Sized>(_: S, bxdf: &B, job: Job<'_, R>) {
-    values(bxdf, job);
+fn work_with<S: Simd, R: Real, B: Bxdf<R> + ?Sized>(_: S, bxdf: &B, job: Job<'_, R::Stored>) {
+    work(bxdf, job);
 }
 
 /// Elements that are worked on at a time: the results stay in the fastest cache.
@@ -125,14 +131,26 @@ const BLOCK: usize = 64;
 type Block<R> = [R; BLOCK];
 
 /// What a block's numbers are turned into. A type rather than a closure: the call of its function is always inlined.
-trait Kernel<R, const M: usize, const N: usize> {
-    fn block<B: Bxdf<R> + ?Sized>(bxdf: &B, given: [&Block<R>; M]) -> [Block<R>; N]
-    where
-        R: Real;
+trait Kernel<R: Real, const M: usize, const N: usize> {
+    fn block<B: Bxdf<R> + ?Sized>(
+        bxdf: &B,
+        given: [&Block<R::Stored>; M],
+        out: [&mut Block<R::Stored>; N],
+    );
 }
 
-fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
+#[inline(always)]
+fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
     match job {
+        Job::F { wo, wi, f } => in_blocks::<Values, R, _, 6, 3>(bxdf, pairs(wo, wi), f),
+        Job::Pdf { wo, wi, pdf } => {
+            in_blocks::<Densities, R, _, 6, 1>(bxdf, pairs(wo, wi), [pdf]);
+        }
+        // One after the other: each loop is short enough to vectorise.
+        Job::FPdf { wo, wi, f, pdf } => {
+            in_blocks::<Values, R, _, 6, 3>(bxdf, pairs(wo, wi), f);
+            in_blocks::<Densities, R, _, 6, 1>(bxdf, pairs(wo, wi), [pdf]);
+        }
         Job::Sample {
             wo,
             uc,
@@ -145,25 +163,8 @@ fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
             let ([x, y, z], [u, v]) = (wo, u);
             let ([ix, iy, iz], [r, g, b]) = (wi, f);
             let out = [ix, iy, iz, r, g, b, pdf, delta];
-            in_blocks::<Samples, _, _, 6, 8>(bxdf, [x, y, z, uc, u, v], out);
+            in_blocks::<Samples, R, _, 6, 8>(bxdf, [x, y, z, uc, u, v], out);
         }
-        other => values(bxdf, other),
-    }
-}
-
-#[inline(always)]
-fn values<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
-    match job {
-        Job::F { wo, wi, f } => in_blocks::<Values, _, _, 6, 3>(bxdf, pairs(wo, wi), f),
-        Job::Pdf { wo, wi, pdf } => {
-            in_blocks::<Densities, _, _, 6, 1>(bxdf, pairs(wo, wi), [pdf]);
-        }
-        // One after the other: each loop is short enough to vectorise.
-        Job::FPdf { wo, wi, f, pdf } => {
-            in_blocks::<Values, _, _, 6, 3>(bxdf, pairs(wo, wi), f);
-            in_blocks::<Densities, _, _, 6, 1>(bxdf, pairs(wo, wi), [pdf]);
-        }
-        Job::Sample { .. } => {}
     }
 }
 
@@ -175,8 +176,8 @@ fn pairs<'a, R>([ox, oy, oz]: Directions<'a, R>, [ix, iy, iz]: Directions<'a, R>
 #[inline(always)]
 fn in_blocks<K, R, B, const M: usize, const N: usize>(
     bxdf: &B,
-    given: [&[R]; M],
-    mut out: [&mut [R]; N],
+    given: [&[R::Stored]; M],
+    mut out: [&mut [R::Stored]; N],
 ) where
     K: Kernel<R, M, N>,
     R: Real,
@@ -188,8 +189,8 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
         .map(|slice| slice.len())
         .fold(longest, usize::min);
     // What lies beyond the end of a slice: any direction and any numbers, whose results nobody reads.
-    let filler = [R::of(0.5); BLOCK];
-    let mut tails = [filler; M];
+    let filler = [R::of(0.5).store(); BLOCK];
+    let (mut tails, mut unread) = ([filler; M], [filler; N]);
     let mut start = 0;
     while start < length {
         for (tail, slice) in tails.iter_mut().zip(given) {
@@ -198,24 +199,29 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
                 tail.iter_mut().zip(rest).for_each(|(to, from)| *to = *from);
             }
         }
-        let mut blocks: [&Block<R>; M] = tails.each_ref();
+        let mut blocks: [&Block<R::Stored>; M] = tails.each_ref();
         for (block, slice) in blocks.iter_mut().zip(given) {
             if let Some(whole) = slice.get(start..).and_then(|rest| rest.first_chunk()) {
                 *block = whole;
             }
         }
-        let results = K::block(bxdf, blocks);
-        for (out, result) in out.iter_mut().zip(&results) {
-            let rest = out.get_mut(start..length).unwrap_or_default();
-            match rest.first_chunk_mut() {
-                Some(whole) => *whole = *result,
-                None => rest
-                    .iter_mut()
-                    .zip(result)
-                    .for_each(|(to, from)| *to = *from),
+        let mut results: [&mut Block<R::Stored>; N] = unread.each_mut();
+        for (block, slice) in results.iter_mut().zip(&mut out) {
+            let rest = slice.get_mut(start..length).unwrap_or_default();
+            if let Some(whole) = rest.first_chunk_mut() {
+                *block = whole;
             }
         }
+        K::block(bxdf, blocks, results);
         start += BLOCK;
+    }
+    // The last block, where it is not whole, was written beside the slices.
+    let last = length - length % BLOCK;
+    for (slice, block) in out.iter_mut().zip(&unread) {
+        let rest = slice.get_mut(last..length).unwrap_or_default();
+        rest.iter_mut()
+            .zip(block)
+            .for_each(|(to, from)| *to = *from);
     }
 }
 
@@ -226,17 +232,27 @@ impl<R: Real> Kernel<R, 6, 3> for Values {
     #[inline(always)]
     fn block<B: Bxdf<R> + ?Sized>(
         bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
-    ) -> [Block<R>; 3] {
-        let [mut r, mut g, mut b] = [[R::zero(); BLOCK]; 3];
-        let wo = ox.iter().zip(oy).zip(oz);
-        let wi = ix.iter().zip(iy).zip(iz);
-        let out = r.iter_mut().zip(&mut g).zip(&mut b);
-        for ((((ox, oy), oz), ((ix, iy), iz)), ((r, g), b)) in wo.zip(wi).zip(out) {
-            let (wo, wi) = (Vec3::new(*ox, *oy, *oz), Vec3::new(*ix, *iy, *iz));
-            Spectrum([*r, *g, *b]) = bxdf.f(wo, wi);
-        }
-        [r, g, b]
+        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
+        [r, g, b]: [&mut Block<R::Stored>; 3],
+    ) {
+        values(bxdf, [ox, oy, oz], [ix, iy, iz], r, g, b);
+    }
+}
+
+/// Each block that is written is an argument of its own: so the compiler knows that no two of them overlap.
+#[inline(always)]
+fn values<R: Real, B: Bxdf<R> + ?Sized>(
+    bxdf: &B,
+    wo: [&Block<R::Stored>; 3],
+    wi: [&Block<R::Stored>; 3],
+    r: &mut Block<R::Stored>,
+    g: &mut Block<R::Stored>,
+    b: &mut Block<R::Stored>,
+) {
+    let out = r.iter_mut().zip(g).zip(b);
+    for ((wo, wi), ((r, g), b)) in directions(wo).zip(directions(wi)).zip(out) {
+        let Spectrum(f) = bxdf.f(wo, wi);
+        [*r, *g, *b] = f.map(R::store);
     }
 }
 
@@ -247,16 +263,13 @@ impl<R: Real> Kernel<R, 6, 1> for Densities {
     #[inline(always)]
     fn block<B: Bxdf<R> + ?Sized>(
         bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
-    ) -> [Block<R>; 1] {
-        let mut pdf = [R::zero(); BLOCK];
-        let wo = ox.iter().zip(oy).zip(oz);
-        let wi = ix.iter().zip(iy).zip(iz);
-        for ((((ox, oy), oz), ((ix, iy), iz)), pdf) in wo.zip(wi).zip(&mut pdf) {
-            let (wo, wi) = (Vec3::new(*ox, *oy, *oz), Vec3::new(*ix, *iy, *iz));
-            *pdf = bxdf.pdf(wo, wi);
+        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
+        [pdf]: [&mut Block<R::Stored>; 1],
+    ) {
+        let (wo, wi) = (directions([ox, oy, oz]), directions([ix, iy, iz]));
+        for ((wo, wi), pdf) in wo.zip(wi).zip(pdf) {
+            *pdf = bxdf.pdf(wo, wi).store();
         }
-        [pdf]
     }
 }
 
@@ -267,25 +280,66 @@ impl<R: Real> Kernel<R, 6, 8> for Samples {
     #[inline(always)]
     fn block<B: Bxdf<R> + ?Sized>(
         bxdf: &B,
-        [ox, oy, oz, uc, u, v]: [&Block<R>; 6],
-    ) -> [Block<R>; 8] {
-        let [mut x, mut y, mut z] = [[R::zero(); BLOCK]; 3];
-        let [mut r, mut g, mut b] = [[R::zero(); BLOCK]; 3];
-        let [mut pdf, mut delta] = [[R::zero(); BLOCK]; 2];
-        let wo = ox.iter().zip(oy).zip(oz);
-        let numbers = uc.iter().zip(u).zip(v);
-        let directions = x.iter_mut().zip(&mut y).zip(&mut z);
-        let values = r.iter_mut().zip(&mut g).zip(&mut b);
-        let out = directions.zip(values).zip(pdf.iter_mut().zip(&mut delta));
-        for ((((ox, oy), oz), ((uc, u), v)), out) in wo.zip(numbers).zip(out) {
-            let ((((x, y), z), ((r, g), b)), (pdf, delta)) = out;
-            if let Some(sample) = bxdf.sample_f(Vec3::new(*ox, *oy, *oz), *uc, [*u, *v]) {
-                (*x, *y, *z) = (sample.wi.x, sample.wi.y, sample.wi.z);
-                Spectrum([*r, *g, *b]) = sample.f;
-                *pdf = sample.pdf;
-                *delta = if sample.is_delta { R::one() } else { R::zero() };
-            }
-        }
-        [x, y, z, r, g, b, pdf, delta]
+        [ox, oy, oz, uc, u, v]: [&Block<R::Stored>; 6],
+        [x, y, z, r, g, b, pdf, delta]: [&mut Block<R::Stored>; 8],
+    ) {
+        samples(bxdf, [ox, oy, oz], [uc, u, v], x, y, z, r, g, b, pdf, delta);
     }
+}
+
+/// As for [`values`].
+#[allow(clippy::too_many_arguments)]
+#[inline(always)]
+fn samples<R: Real, B: Bxdf<R> + ?Sized>(
+    bxdf: &B,
+    wo: [&Block<R::Stored>; 3],
+    [uc, u, v]: [&Block<R::Stored>; 3],
+    x: &mut Block<R::Stored>,
+    y: &mut Block<R::Stored>,
+    z: &mut Block<R::Stored>,
+    r: &mut Block<R::Stored>,
+    g: &mut Block<R::Stored>,
+    b: &mut Block<R::Stored>,
+    pdf: &mut Block<R::Stored>,
+    delta: &mut Block<R::Stored>,
+) {
+    let numbers = uc.iter().zip(u).zip(v);
+    let values = r.iter_mut().zip(g).zip(b);
+    let out = x
+        .iter_mut()
+        .zip(y)
+        .zip(z)
+        .zip(values)
+        .zip(pdf.iter_mut().zip(delta));
+    for ((wo, ((uc, u), v)), out) in directions::<R>(wo).zip(numbers).zip(out) {
+        let ((((x, y), z), ((r, g), b)), (pdf, delta)) = out;
+        let zero = R::zero();
+        // No sample is a sample of nothing: every element is written, whatever was drawn.
+        let sample = match bxdf.sample_f(wo, R::load(*uc), [R::load(*u), R::load(*v)]) {
+            Some(sample) => sample,
+            None => Sample {
+                wi: Vec3::new(zero, zero, zero),
+                f: Spectrum::black(),
+                pdf: zero,
+                is_delta: false,
+            },
+        };
+        (*x, *y, *z) = (
+            sample.wi.x.store(),
+            sample.wi.y.store(),
+            sample.wi.z.store(),
+        );
+        [*r, *g, *b] = sample.f.0.map(R::store);
+        *pdf = sample.pdf.store();
+        *delta = if sample.is_delta { R::one() } else { zero }.store();
+    }
+}
+
+/// The directions of a block.
+#[inline(always)]
+fn directions<R: Real>([x, y, z]: [&Block<R::Stored>; 3]) -> impl Iterator<Item = Vec3<R>> {
+    x.iter()
+        .zip(y)
+        .zip(z)
+        .map(|((x, y), z)| Vec3::new(R::load(*x), R::load(*y), R::load(*z)))
 }

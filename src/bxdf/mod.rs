@@ -12,6 +12,7 @@ pub mod models;
 pub mod optics;
 pub mod param;
 pub mod rotated;
+pub mod single;
 pub mod spec;
 
 pub use material::{Component, Material};
@@ -78,7 +79,7 @@ pub trait Bxdf<R: Real>: Send + Sync {
 
     /// Computes `job` for a whole batch: the same results, element by element, in one call.
     #[inline(always)]
-    fn batch(&self, path: Path, job: Job<'_, R>) {
+    fn batch(&self, path: Path, job: Job<'_, R::Stored>) {
         batch::run(self, path, job);
     }
 
@@ -118,6 +119,18 @@ impl<R: Real> Sample<R> {
     pub fn weight(&self) -> Spectrum<R> {
         self.f * (self.wi.z.abs() / self.pdf)
     }
+
+    /// The sample, unless its density has underflown. Where `wo` grazes, a rounded direction may lie so far out in the
+    /// tail of the density, or beyond its edge: such a sample has no weight and is lost.
+    #[must_use]
+    #[inline(always)]
+    pub fn with_density(self) -> Option<Self> {
+        if self.pdf >= R::min_positive_value() {
+            Some(self)
+        } else {
+            None
+        }
+    }
 }
 
 /// A Dirac delta lobe of a direction `w`.
@@ -143,7 +156,7 @@ impl<R: Real> Delta<R> {
     /// The sample that stands for this delta.
     #[inline(always)]
     pub fn sample(&self) -> Sample<R> {
-        let cos = self.direction.z.abs().max(R::min_positive_value());
+        let cos = self.direction.z.abs().at_least(R::min_positive_value());
         Sample {
             wi: self.direction,
             f: self.weight.map(|weight| (weight / cos).saturated()),
@@ -198,12 +211,13 @@ pub fn sample_reflection<R: Real>(
     sample_above: impl FnOnce(Vec3<R>) -> Option<Vec3<R>>,
 ) -> Option<Sample<R>> {
     let wi = reflected_direction(wo, sample_above)?;
-    Some(Sample {
+    let sample = Sample {
         wi,
         f: model.f(wo, wi),
         pdf: model.pdf(wo, wi),
         is_delta: false,
-    })
+    };
+    sample.with_density()
 }
 
 /// The direction on the side of `wo` that `sample_above` draws for a `wo` above the surface, mirrored where it is below.
@@ -224,12 +238,13 @@ pub fn reflected_direction<R: Real>(
     if wo_above.z <= zero || wo_above.z.is_nan() {
         return None;
     }
-    let wi_above = sample_above(wo_above).filter(|wi| wi.z > zero)?;
-    Some(if is_above {
+    let wi_above = sample_above(wo_above)?;
+    let wi = if is_above {
         wi_above
     } else {
         wi_above.mirrored_in_surface()
-    })
+    };
+    if wi_above.z > zero { Some(wi) } else { None }
 }
 
 #[cfg(test)]

@@ -5,8 +5,9 @@ use std::fmt;
 use xprec::Df64;
 
 use super::Bxdf;
-use super::math::{Real, Vec3};
+use super::math::{Fast, Real, Vec3};
 use super::param::{ParamSet, ParamSpec};
+use super::single::Single;
 use crate::error::Result;
 
 /// The kind of reflection a lobe belongs to.
@@ -210,8 +211,8 @@ impl Properties {
 /// The constructors of a model, one per precision: the same generic function three times.
 #[derive(Clone, Copy)]
 pub struct Builders {
-    /// In `f32`.
-    pub f32: fn(&ParamSet) -> Box<dyn Bxdf<f32>>,
+    /// In `f32`, with polynomials for the elementary functions.
+    pub f32: fn(&ParamSet) -> Box<dyn Bxdf<Fast<f32>>>,
     /// In `f64`.
     pub f64: fn(&ParamSet) -> Box<dyn Bxdf<f64>>,
     /// In the reference precision.
@@ -220,25 +221,31 @@ pub struct Builders {
 
 /// A precision that models can be built in.
 pub trait Precision: Real {
-    /// The constructor for this precision.
-    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>>;
+    /// The model of these constructors at `params`.
+    fn build(builders: &Builders, params: &ParamSet) -> Box<dyn Bxdf<Self>>;
 }
 
 impl Precision for f32 {
-    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>> {
-        builders.f32
+    fn build(builders: &Builders, params: &ParamSet) -> Box<dyn Bxdf<Self>> {
+        Box::new(Single((builders.f32)(params)))
+    }
+}
+
+impl Precision for Fast<f32> {
+    fn build(builders: &Builders, params: &ParamSet) -> Box<dyn Bxdf<Self>> {
+        (builders.f32)(params)
     }
 }
 
 impl Precision for f64 {
-    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>> {
-        builders.f64
+    fn build(builders: &Builders, params: &ParamSet) -> Box<dyn Bxdf<Self>> {
+        (builders.f64)(params)
     }
 }
 
 impl Precision for Df64 {
-    fn builder(builders: &Builders) -> fn(&ParamSet) -> Box<dyn Bxdf<Self>> {
-        builders.reference
+    fn build(builders: &Builders, params: &ParamSet) -> Box<dyn Bxdf<Self>> {
+        (builders.reference)(params)
     }
 }
 
@@ -282,7 +289,7 @@ impl ModelSpec {
     /// The model at `params`, in precision `R`.
     #[must_use]
     pub fn build<R: Precision>(&self, params: &ParamSet) -> Box<dyn Bxdf<R>> {
-        R::builder(&self.builders)(params)
+        R::build(&self.builders, params)
     }
 
     /// Whether one of its lobes crosses the surface.

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::args::{self, Given};
 use super::{check, output};
+use crate::bxdf::math::Real;
 use crate::bxdf::models::MODELS;
 use crate::bxdf::{Material, Precision, Side, batch};
 use crate::error::{Error, Result};
@@ -80,7 +81,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
     }
 }
 
-fn rows_of<R: Precision>(text: &str, material: &Material, file: Option<&[f64]>) -> Vec<Row> {
+fn rows_of<R: Precision + Real<Stored = R>>(
+    text: &str,
+    material: &Material,
+    file: Option<&[f64]>,
+) -> Vec<Row> {
     let pairs: Pairs<R> = file.map_or_else(
         || Pairs::random(PAIRS, material.has_side(Side::Transmission)),
         Pairs::from_arrays,

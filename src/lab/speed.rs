@@ -146,7 +146,7 @@ pub struct Row {
 
 /// Measures `operation` of `material` on `pairs`.
 #[must_use]
-pub fn measure<R: Precision>(
+pub fn measure<R: Precision + Real<Stored = R>>(
     material: &Material,
     pairs: &Pairs<R>,
     operation: Operation,
@@ -181,7 +181,7 @@ pub fn measure<R: Precision>(
 /// Arrays that a job writes at most.
 const OUTPUTS: usize = 8;
 
-fn run<R: Precision>(
+fn run<R: Precision + Real<Stored = R>>(
     bxdf: &dyn Bxdf<R>,
     pairs: &Pairs<R>,
     operation: Operation,
@@ -205,7 +205,7 @@ struct Part<'a, R> {
     out: [&'a mut [R]; OUTPUTS],
 }
 
-impl<'a, R: Precision> Part<'a, R> {
+impl<'a, R: Precision + Real<Stored = R>> Part<'a, R> {
     fn of(pairs: &'a Pairs<R>, out: &'a mut [Vec<R>]) -> Self {
         let axes = pairs.wo.iter().chain(&pairs.wi).chain(&pairs.numbers);
         let mut axes = axes.map(Vec::as_slice);

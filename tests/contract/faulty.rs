@@ -1,6 +1,6 @@
 //! Lawful models with one fault each: what the laws are tested on.
 
-use brdf_explorer::bxdf::math::{Real, Vec3};
+use brdf_explorer::bxdf::math::{Fast, Real, Vec3};
 use brdf_explorer::bxdf::optics::Spectrum;
 use brdf_explorer::bxdf::param::ParamSet;
 use brdf_explorer::bxdf::{
@@ -221,7 +221,7 @@ pub fn faulty<const FAULT: usize>(properties: Properties) -> ModelSpec {
         },
         validate: ModelSpec::any,
         builders: Builders {
-            f32: build::<f32, FAULT>,
+            f32: build::<Fast<f32>, FAULT>,
             f64: build::<f64, FAULT>,
             reference: build::<xprec::Df64, FAULT>,
         },

@@ -3,8 +3,6 @@
 //! In f32 a cosine near 1 knows its distance from 1 to 6e-8 only, and the 1e4th power turns that into 6e-4. The distance
 //! itself is at hand: as half the square of the difference of two unit vectors, or by the square of a sine.
 
-use num_traits::Float;
-
 use crate::bxdf::math::{Real, Vec3};
 
 /// cos^n of the angle between the unit vectors `a` and `b`; 0 from a right angle on.
@@ -85,7 +83,7 @@ pub fn sample_about_z<R: Real>(n: R, u_theta: R, (cos_phi, sin_phi): (R, R)) -> 
 /// The cosine and sine of the azimuth 2 pi `u`.
 #[inline(always)]
 pub fn azimuth<R: Real>(u: R) -> (R, R) {
-    let (sin, cos) = Float::sin_cos(R::of(2.0) * R::PI() * u);
+    let (sin, cos) = u.sin_cos_turn();
     (cos, sin)
 }
 

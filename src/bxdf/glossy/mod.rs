@@ -102,15 +102,19 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        let sample = sample_reflection(self, wo, |wo| {
-            let [glossy, _] = self.0.shares(wo);
-            if uc < glossy {
-                self.0.sample_glossy(wo, u)
-            } else {
-                Some(warp::cosine_hemisphere(u))
-            }
-        });
-        has_density(sample)
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| {
+                let [glossy, _] = self.0.shares(wo);
+                if uc < glossy {
+                    self.0.sample_glossy(wo, u)
+                } else {
+                    Some(warp::cosine_hemisphere(u))
+                }
+            },
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {
@@ -141,18 +145,15 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
 
     #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        reflected_direction(wo, |wo| match index {
-            0 => self.0.sample_glossy(wo, u),
-            _ => Some(warp::cosine_hemisphere(u)),
-        })
+        reflected_direction(
+            wo,
+            #[inline(always)]
+            |wo| match index {
+                0 => self.0.sample_glossy(wo, u),
+                _ => Some(warp::cosine_hemisphere(u)),
+            },
+        )
     }
-}
-
-/// The sample, if its density is above 0. Where `wo` grazes, the half vector of a rounded direction may lie so far out in
-/// an exponential tail that the density underflows: such a sample has no weight and is lost.
-#[inline(always)]
-pub fn has_density<R: Real>(sample: Option<Sample<R>>) -> Option<Sample<R>> {
-    sample.filter(|sample| sample.pdf > R::zero())
 }
 
 #[cfg(test)]

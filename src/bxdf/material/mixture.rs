@@ -1,10 +1,12 @@
 //! The weighted sum of models, evaluated, drawn and integrated as one.
 
+use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::spec::{Lobe, Precision};
 use crate::bxdf::{Bxdf, Delta, Deltas, Sample, Side};
 
+use super::mixed_batch::{run_mixture, weighed};
 use super::{Component, MAX_COMPONENTS};
 
 /// Polar angles of the table of contributions: every 7.5 degrees from n to -n.
@@ -19,9 +21,9 @@ const PER_SIDE: u32 = 6;
 const LEAST_SHARE: f64 = 1e-3;
 
 /// A model with its weight, and which of all lobes are its own.
-struct Part<R> {
-    weight: R,
-    bxdf: Box<dyn Bxdf<R>>,
+pub(super) struct Part<R> {
+    pub(super) weight: R,
+    pub(super) bxdf: Box<dyn Bxdf<R>>,
     /// Its contribution to the radiance leaving along `wo` under uniform light, by the angle of `wo` from n.
     contributions: [f64; ELEVATIONS],
 }
@@ -93,8 +95,13 @@ fn contributions(component: &Component) -> [f64; ELEVATIONS] {
 }
 
 impl<R: Real> Mixture<R> {
+    /// The components.
+    pub(super) fn parts(&self) -> &[Part<R>] {
+        &self.parts
+    }
+
     /// The probability of each component at `wo`, in their order; 0 behind the last.
-    fn shares(&self, wo: Vec3<R>) -> [R; MAX_COMPONENTS] {
+    pub(super) fn shares(&self, wo: Vec3<R>) -> [R; MAX_COMPONENTS] {
         let place = wo.z.as_f64().clamp(-1.0, 1.0);
         let angle = place.atan2(wo.x.as_f64().hypot(wo.y.as_f64()));
         let x = (0.5 - angle / std::f64::consts::PI) * (ELEVATIONS - 1) as f64;
@@ -142,12 +149,7 @@ impl<R: Real> Bxdf<R> for Mixture<R> {
             .iter()
             .zip(self.shares(wo))
             .fold(R::zero(), |sum, (part, share)| {
-                // A component that is never chosen may have an infinite density elsewhere: 0 times it is no number.
-                if share > R::zero() {
-                    sum + share * part.bxdf.pdf(wo, wi)
-                } else {
-                    sum
-                }
+                sum + weighed(share, part.bxdf.pdf(wo, wi))
             })
             .saturated()
     }
@@ -167,16 +169,20 @@ impl<R: Real> Bxdf<R> for Mixture<R> {
                         .find(|delta| delta.side == side)
                         .map(|delta| delta.sample());
                 }
-                let pdf = self.pdf(wo, sample.wi);
-                return (pdf > R::zero()).then(|| Sample {
+                let sample = Sample {
                     f: self.f(wo, sample.wi),
-                    pdf,
+                    pdf: self.pdf(wo, sample.wi),
                     ..sample
-                });
+                };
+                return sample.with_density();
             }
             rest = rest - share;
         }
         None
+    }
+
+    fn batch(&self, path: Path, job: Job<'_, R::Stored>) {
+        run_mixture(self, path, job);
     }
 
     fn lobes(&self) -> &[Lobe] {

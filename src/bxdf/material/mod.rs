@@ -3,6 +3,7 @@
 mod component;
 pub mod file;
 pub mod library;
+mod mixed_batch;
 mod mixture;
 
 use std::fmt;

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use num_traits::{Float, FloatConst};
 use xprec::Df64;
 
-use super::special;
+use super::special::error_function;
 
 /// A floating-point type a model can be evaluated in: `f32`, `f64`, or [`Df64`] (double-double, 2 x 53 bits), which
 /// serves as the *reference*.
@@ -13,6 +13,9 @@ use super::special;
 /// Models use only what [`Float`] and [`FloatConst`] offer, less `mul_add` (a slow library call without the target
 /// feature), and less `cbrt` and `integer_decode`, which xprec does not implement.
 pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
+    /// How batches hold such numbers: `f32` for [`Fast`](super::Fast) ones, else the type itself.
+    type Stored: Copy + Debug + Send + Sync + 'static;
+
     /// The name of the precision at the command line: `f32`, `f64` or `reference`.
     const NAME: &'static str;
 
@@ -22,8 +25,25 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     /// Whether loops over it can be compiled for wide registers.
     const VECTORISES: bool;
 
+    /// Whether loops with elementary functions can, too.
+    const FUNCTIONS_VECTORISE: bool;
+
+    /// A power of two whose square, and the reciprocal of it, are far from the ends of the range: what lies between it
+    /// and its reciprocal can be squared.
+    const SQUARABLE: f64;
+
+    /// A power of two that brings what is below [`Self::SQUARABLE`], subnormal numbers too, to where squares keep their
+    /// digits; its reciprocal does so from above.
+    const RESCALE: f64;
+
     /// The value of this type nearest to `x`.
     fn of(x: f64) -> Self;
+
+    /// The number that is `stored`.
+    fn load(stored: Self::Stored) -> Self;
+
+    /// The number as it is stored.
+    fn store(self) -> Self::Stored;
 
     /// The `f64` nearest to `self`.
     fn as_f64(self) -> f64;
@@ -35,6 +55,12 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     /// 1 - erf(`self`), which keeps its digits where `self` is large.
     #[must_use]
     fn erfc(self) -> Self;
+
+    /// Sine and cosine of the angle of `self` turns, 2 pi `self`.
+    #[inline(always)]
+    fn sin_cos_turn(self) -> (Self, Self) {
+        Float::sin_cos(Self::TAU() * self)
+    }
 
     /// `self` squared.
     #[must_use]
@@ -54,6 +80,36 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
         }
     }
 
+    /// The larger of two numbers, `least` where `self` is none: one instruction, which `max` is not.
+    #[must_use]
+    #[inline(always)]
+    fn at_least(self, least: Self) -> Self {
+        if self > least { self } else { least }
+    }
+
+    /// The smaller of two numbers, `most` where `self` is none.
+    #[must_use]
+    #[inline(always)]
+    fn at_most(self, most: Self) -> Self {
+        if self < most { self } else { most }
+    }
+
+    /// Two powers of two of product 1: the first brings a number of this magnitude to where its square neither over- nor
+    /// underflows. Both are 1 for all but extreme numbers.
+    #[must_use]
+    #[inline(always)]
+    fn rescaling(self) -> (Self, Self) {
+        let (one, up) = (Self::one(), Self::of(Self::RESCALE));
+        let (down, smallest) = (Self::of(1.0 / Self::RESCALE), Self::of(Self::SQUARABLE));
+        if self < smallest {
+            (up, down)
+        } else if self > Self::of(1.0 / Self::SQUARABLE) {
+            (down, up)
+        } else {
+            (one, one)
+        }
+    }
+
     /// `self` where it is a number up to the largest finite one, the largest finite one otherwise.
     ///
     /// For values whose true size overflows the type. A double-double overflow yields NaN rather than infinity,
@@ -69,14 +125,33 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     }
 }
 
+/// 2 to the power `exponent`, within the normal numbers.
+const fn power_of_two(exponent: i64) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
 impl Real for f32 {
+    type Stored = Self;
     const NAME: &'static str = "f32";
     const VECTORISES: bool = true;
+    const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
+    const SQUARABLE: f64 = power_of_two(-60);
+    const RESCALE: f64 = power_of_two(90);
 
     #[inline(always)]
     fn of(x: f64) -> Self {
         x as Self
+    }
+
+    #[inline(always)]
+    fn load(stored: Self) -> Self {
+        stored
+    }
+
+    #[inline(always)]
+    fn store(self) -> Self {
+        self
     }
 
     #[inline(always)]
@@ -96,13 +171,27 @@ impl Real for f32 {
 }
 
 impl Real for f64 {
+    type Stored = Self;
     const NAME: &'static str = "f64";
     const VECTORISES: bool = true;
+    const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    const SQUARABLE: f64 = power_of_two(-400);
+    const RESCALE: f64 = power_of_two(600);
 
     #[inline(always)]
     fn of(x: f64) -> Self {
         x
+    }
+
+    #[inline(always)]
+    fn load(stored: Self) -> Self {
+        stored
+    }
+
+    #[inline(always)]
+    fn store(self) -> Self {
+        self
     }
 
     #[inline(always)]
@@ -122,13 +211,27 @@ impl Real for f64 {
 }
 
 impl Real for Df64 {
+    type Stored = Self;
     const NAME: &'static str = "reference";
     const VECTORISES: bool = false;
+    const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON * f64::EPSILON / 4.0;
+    const SQUARABLE: f64 = f64::SQUARABLE;
+    const RESCALE: f64 = f64::RESCALE;
 
     #[inline(always)]
     fn of(x: f64) -> Self {
         Self::new(x)
+    }
+
+    #[inline(always)]
+    fn load(stored: Self) -> Self {
+        stored
+    }
+
+    #[inline(always)]
+    fn store(self) -> Self {
+        self
     }
 
     #[inline(always)]
@@ -138,12 +241,12 @@ impl Real for Df64 {
 
     #[inline]
     fn erf(self) -> Self {
-        special::erf(self)
+        error_function::erf(self)
     }
 
     #[inline]
     fn erfc(self) -> Self {
-        special::erfc(self)
+        error_function::erfc(self)
     }
 }
 

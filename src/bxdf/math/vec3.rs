@@ -50,7 +50,14 @@ impl<R: Real> Vec3<R> {
     /// The largest absolute value among the components.
     #[inline(always)]
     pub fn max_abs(self) -> R {
-        self.x.abs().max(self.y.abs()).max(self.z.abs())
+        self.x.abs().at_least(self.y.abs()).at_least(self.z.abs())
+    }
+
+    /// The unit vector along `self`, whose squared length must be a normal number.
+    #[must_use]
+    #[inline(always)]
+    pub fn unit(self) -> Self {
+        self * (R::one() / self.length_squared().sqrt())
     }
 
     /// The unit vector along `self`, and the length of `self`, without overflow or underflow on the way.
@@ -58,12 +65,12 @@ impl<R: Real> Vec3<R> {
     /// `None` where `self` is zero or not finite.
     #[inline(always)]
     pub fn unit_and_length(self) -> Option<(Self, R)> {
-        let scale = self.max_abs();
-        if scale > R::zero() && scale <= R::max_value() {
-            let scaled = Self::new(self.x / scale, self.y / scale, self.z / scale);
-            let length = scaled.length_squared().sqrt();
-            let unit = Self::new(scaled.x / length, scaled.y / length, scaled.z / length);
-            Some((unit, length * scale))
+        let (scale, back) = self.max_abs().rescaling();
+        let scaled = self * scale;
+        let square = scaled.length_squared();
+        if square > R::zero() && square <= R::max_value() {
+            let length = square.sqrt();
+            Some((scaled * (R::one() / length), length * back))
         } else {
             None
         }

@@ -1,7 +1,5 @@
 //! Warps of the unit square to directions.
 
-use num_traits::Float;
-
 use super::{Real, Vec3};
 
 /// Uniform points of the unit square to the cosine-weighted hemisphere about +z, density cos(theta) / pi per solid
@@ -13,7 +11,7 @@ use super::{Real, Vec3};
 #[inline(always)]
 pub fn cosine_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
     let (radius, z) = (u[0].sqrt(), (R::one() - u[0]).sqrt());
-    let (sin, cos) = Float::sin_cos(R::TAU() * u[1]);
+    let (sin, cos) = u[1].sin_cos_turn();
     Vec3::new(radius * cos, radius * sin, z)
 }
 
@@ -29,7 +27,7 @@ pub fn cosine_hemisphere_pdf<R: Real>(mu: R) -> R {
 #[inline(always)]
 pub fn uniform_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
     let (z, radius) = (R::one() - u[0], (u[0] * (R::of(2.0) - u[0])).sqrt_clamped());
-    let (sin, cos) = Float::sin_cos(R::TAU() * u[1]);
+    let (sin, cos) = u[1].sin_cos_turn();
     Vec3::new(radius * cos, radius * sin, z)
 }
 

@@ -71,13 +71,13 @@ pub trait Normals<R: Real>: Copy + Send + Sync + 'static {
     /// factor. Saturates.
     #[inline(always)]
     fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
-        self.visibility(wo, wi, masking, self.d(wh))
+        (self.d(wh) / self.inverse_visibility(wo, wi, masking)).saturated()
     }
 
-    /// `d` G2 / (4 mu_o mu_i): [`Self::lobe`] with the masking of this distribution and the density of another.
+    /// 4 mu_o mu_i / G2, above 0.
     #[inline(always)]
-    fn visibility(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking, d: R) -> R {
-        self.masked(wo).visibility(self.masked(wi), masking, d)
+    fn inverse_visibility(&self, wo: Vec3<R>, wi: Vec3<R>, masking: Masking) -> R {
+        self.masked(wo).inverse_visibility(self.masked(wi), masking)
     }
 
     /// Masking and shadowing together, 0..1.
@@ -89,7 +89,7 @@ pub trait Normals<R: Real>: Copy + Send + Sync + 'static {
     /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`. Saturates.
     #[inline(always)]
     fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
-        self.masked(wo).reflection_pdf(self.d(wh))
+        (self.d(wh) / self.masked(wo).normals_per_direction()).saturated()
     }
 
     /// `wo` (on the upper side) reflected at a visible normal; it may leave below the horizon.

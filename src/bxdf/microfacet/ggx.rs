@@ -7,9 +7,7 @@
 //! None in value. tan(theta) never appears: near grazing it overflows, and near normal incidence 1 - cos^2 loses its
 //! digits. In f32 at alpha 1e-3 the form used here is good to 7e-7, the textbook form to 38 %.
 
-use num_traits::Float;
-
-use super::{Masked, Normals};
+use super::{Masked, Masking, Normals};
 use crate::bxdf::math::{Real, Vec3};
 
 /// GGX with widths `alpha_x`, `alpha_y` along s and t, both above 0.
@@ -17,12 +15,30 @@ use crate::bxdf::math::{Real, Vec3};
 pub struct Ggx<R> {
     alpha_x: R,
     alpha_y: R,
+    /// Their reciprocals.
+    per_alpha: [R; 2],
+    /// 1 / (pi alpha_x alpha_y), D at the pole.
+    peak: R,
 }
 
 impl<R: Real> Ggx<R> {
     /// The distribution with these widths, used as given.
     pub fn new(alpha_x: R, alpha_y: R) -> Self {
-        Self { alpha_x, alpha_y }
+        let one = R::one();
+        Self {
+            alpha_x,
+            alpha_y,
+            per_alpha: [one / alpha_x, one / alpha_y],
+            peak: one / (R::PI() * (alpha_x * alpha_y)),
+        }
+    }
+
+    /// The peak of D over D(wh), 1..alpha^-4: the square of |wh stretched by the reciprocals of the widths| squared.
+    #[inline(always)]
+    fn below_peak(&self, wh: Vec3<R>) -> R {
+        let [per_x, per_y] = self.per_alpha;
+        let (x, y) = (wh.x * per_x, wh.y * per_y);
+        (x * x + y * y + wh.z * wh.z).sqr()
     }
 
     /// |w stretched by the widths|: sqrt(z^2 + alpha_x^2 x^2 + alpha_y^2 y^2). Heitz's 1 + 2 Lambda is this over |z|.
@@ -37,10 +53,20 @@ impl<R: Real> Normals<R> for Ggx<R> {
     /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides.
     #[inline(always)]
     fn d(&self, wh: Vec3<R>) -> R {
-        let x = wh.x / self.alpha_x;
-        let y = wh.y / self.alpha_y;
-        let q = x * x + y * y + wh.z * wh.z;
-        R::one() / (R::PI() * (self.alpha_x * self.alpha_y) * (q * q))
+        self.peak / self.below_peak(wh)
+    }
+
+    /// One division for all: their product is at most alpha^-4, and underflows where the visibility itself does.
+    #[inline(always)]
+    fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
+        let inverse = self.inverse_visibility(wo, wi, masking);
+        (self.peak / (self.below_peak(wh) * inverse)).saturated()
+    }
+
+    #[inline(always)]
+    fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
+        let inverse = self.masked(wo).normals_per_direction();
+        (self.peak / (self.below_peak(wh) * inverse)).saturated()
     }
 
     #[inline(always)]
@@ -56,7 +82,7 @@ impl<R: Real> Normals<R> for Ggx<R> {
     fn masking_excess(&self, w: Vec3<R>) -> R {
         let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
         let denominator = self.stretched_length(w) + w.z.abs();
-        (x * x + y * y) / denominator.max(R::min_positive_value())
+        (x * x + y * y) / denominator.at_least(R::min_positive_value())
     }
 
     /// A visible normal of `wo` (on the upper side), by the spherical cap of the stretched configuration.
@@ -66,8 +92,8 @@ impl<R: Real> Normals<R> for Ggx<R> {
     #[inline(always)]
     fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         let one = R::one();
-        let (v, _) = Vec3::new(self.alpha_x * wo.x, self.alpha_y * wo.y, wo.z).unit_and_length()?;
-        let (sin_phi, cos_phi) = Float::sin_cos(R::of(2.0) * R::PI() * u[0]);
+        let v = Vec3::new(self.alpha_x * wo.x, self.alpha_y * wo.y, wo.z).unit();
+        let (sin_phi, cos_phi) = u[0].sin_cos_turn();
         let s = (one - u[1]) * (one + v.z);
         let sin_theta = (u[1] * (one + v.z) * (one - v.z + s)).sqrt_clamped();
         let cap = Vec3::new(sin_theta * cos_phi + v.x, sin_theta * sin_phi + v.y, s);
@@ -80,7 +106,6 @@ impl<R: Real> Normals<R> for Ggx<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::microfacet::Masking;
 
     #[test]
     fn the_peak_is_the_published_one() {

@@ -4,8 +4,6 @@
 //! Burley 2012, "Physically Based Shading at Disney", appendix B.2 (`burley2012`), normalised:
 //! (a^2 - 1) / (pi ln(a^2) (a^2 + (1 - a^2) sin^2)).
 
-use num_traits::Float;
-
 use crate::bxdf::math::{Real, Vec3};
 
 /// GTR1 of one width, above 0 and below 1.
@@ -40,8 +38,8 @@ impl<R: Real> Gtr1<R> {
         // cos^2 = (1 - a^(2 - 2 u)) / (1 - a^2), of which this is 1 less.
         let growth = (-R::of(2.0) * u[0] * self.ln_alpha).exp_m1();
         let sin2 = self.alpha * self.alpha * growth / self.one_minus_alpha2;
-        let sin2 = sin2.max(R::zero()).min(R::one());
-        let (sin_phi, cos_phi) = Float::sin_cos(R::of(2.0) * R::PI() * u[1]);
+        let sin2 = sin2.at_least(R::zero()).at_most(R::one());
+        let (sin_phi, cos_phi) = u[1].sin_cos_turn();
         let sin = sin2.sqrt();
         Vec3::new(
             sin * cos_phi,

@@ -53,37 +53,35 @@ pub struct Masked<R> {
 }
 
 impl<R: Real> Masked<R> {
-    /// `d` G2 / (4 mu_o mu_i): correlated, G2 / (4 mu_o mu_i) = 1/2 / (t_i mu_o + t_o mu_i), separable
-    /// 1 / ((mu_i + t_i)(mu_o + t_o)). Saturates.
+    /// 4 mu_o mu_i / G2, above 0: correlated 2 (t_i mu_o + t_o mu_i), separable (mu_i + t_i)(mu_o + t_o).
     #[inline(always)]
-    fn visibility(self, other: Self, masking: Masking, d: R) -> R {
-        let denominator = match masking {
+    fn inverse_visibility(self, other: Self, masking: Masking) -> R {
+        let inverse = match masking {
             Masking::Correlated => R::of(2.0) * (other.t * self.mu + self.t * other.mu),
             Masking::Separable => (other.mu + other.t) * (self.mu + self.t),
         };
-        // Double grazing can underflow the denominator to 0; the smallest normal number makes that saturation.
-        (d / denominator.max(R::min_positive_value())).saturated()
+        // Double grazing can underflow it to 0; the smallest normal number makes the quotients by it saturate.
+        inverse.at_least(R::min_positive_value())
     }
 
     /// Masking and shadowing together, 0..1.
     #[inline(always)]
     fn g2(self, other: Self, masking: Masking) -> R {
-        let ratio = |m: Self| m.mu / m.t.max(R::min_positive_value());
+        let ratio = |m: Self| m.mu / m.t.at_least(R::min_positive_value());
         let (o, i) = (ratio(self), ratio(other));
         let (one, two) = (R::one(), R::of(2.0));
         let g2 = match masking {
-            Masking::Correlated => two * o * i / (o + i).max(R::min_positive_value()),
+            Masking::Correlated => two * o * i / (o + i).at_least(R::min_positive_value()),
             Masking::Separable => two * o / (one + o) * (two * i / (one + i)),
         };
         g2.min(one)
     }
 
-    /// The density of the reflected direction when a visible normal of density `d` mirrors this direction: D G1 (wo.wh)
-    /// / mu_o over 4 (wo.wh), that is D / (2 (mu_o + t_o)).
+    /// What the density D of a visible normal is divided by for that of the direction into which it mirrors this one:
+    /// D G1 (wo.wh) / mu_o over 4 (wo.wh) is D / (2 (mu_o + t_o)).
     #[inline(always)]
-    fn reflection_pdf(self, d: R) -> R {
-        let denominator = R::of(2.0) * (self.mu + self.t);
-        (d / denominator.max(R::min_positive_value())).saturated()
+    fn normals_per_direction(self) -> R {
+        (R::of(2.0) * (self.mu + self.t)).at_least(R::min_positive_value())
     }
 }
 
@@ -116,5 +114,5 @@ pub const fn alpha(name: &'static str, default: f64, meaning: &'static str) -> P
 #[inline(always)]
 pub fn half_vector<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> Option<(Vec3<R>, R)> {
     let (wh, length) = (wo + wi).unit_and_length()?;
-    Some((wh, (length * R::of(0.5)).min(R::one())))
+    Some((wh, (length * R::of(0.5)).at_most(R::one())))
 }

@@ -6,8 +6,6 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use num_traits::Float;
-
 use super::Masking;
 use super::lost_energy::Lobe;
 use crate::bxdf::math::{Real, Vec3};
@@ -117,7 +115,7 @@ impl EnergyTable {
     /// The density per solid angle with which [`Self::sample`] returns a direction of cosine `mu`: proportional to
     /// (1 - E(mu)) mu.
     pub fn pdf<R: Real>(&self, mu: R) -> R {
-        let x = self.x(mu).max(R::min_positive_value());
+        let x = self.x(mu).at_least(R::min_positive_value());
         let k = R::of(self.scale);
         let mu_k = mu + k;
         let dx_dmu = k * (R::one() + k) / (mu_k * mu_k) / (R::of(2.0) * x);
@@ -134,12 +132,12 @@ impl EnergyTable {
         // The integral of a linear density from the start of the cell: q0 t + (q1 - q0) t^2 / 2 = mass.
         let mass = (u[0] - at(&self.cumulative, cell)).max(R::zero()) * cells;
         let root = (q0 * q0 + R::of(2.0) * (q1 - q0) * mass).sqrt_clamped();
-        let t = (R::of(2.0) * mass / (q0 + root).max(R::min_positive_value())).min(R::one());
+        let t = (R::of(2.0) * mass / (q0 + root).at_least(R::min_positive_value())).min(R::one());
         let x = (R::of(cell as f64) + t) / cells;
         let (one, k) = (R::one(), R::of(self.scale));
         let mu = (k * x * x / (one + k - x * x)).min(one);
         let sin = ((one - mu) * (one + mu)).sqrt_clamped();
-        let (sin_phi, cos_phi) = Float::sin_cos(R::of(2.0) * R::PI() * u[1]);
+        let (sin_phi, cos_phi) = u[1].sin_cos_turn();
         Vec3::new(sin * cos_phi, sin * sin_phi, mu)
     }
 
@@ -156,7 +154,9 @@ fn interpolated<R: Real>(values: &[f64], x: R) -> R {
     let place = x * R::of(f64::from(CELLS));
     let cell = (place.as_f64() as usize).min(CELLS as usize - 1);
     // Within the cell, whichever way its number was rounded.
-    let t = (place - R::of(cell as f64)).max(R::zero()).min(R::one());
+    let t = (place - R::of(cell as f64))
+        .at_least(R::zero())
+        .at_most(R::one());
     let at = |i: usize| R::of(values.get(i).copied().unwrap_or(0.0));
     at(cell) * (R::one() - t) + at(cell + 1) * t
 }

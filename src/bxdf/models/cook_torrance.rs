@@ -17,7 +17,7 @@
 
 use super::*;
 use crate::bxdf::glossy::gaussian_slopes::GaussianSlopes;
-use crate::bxdf::glossy::{has_density, reflected};
+use crate::bxdf::glossy::reflected;
 use crate::bxdf::microfacet::{alpha, half_vector};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
@@ -134,9 +134,12 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        has_density(sample_reflection(self, wo, |wo| {
-            self.slopes.sample(u).map(|wh| reflected(wo, wh))
-        }))
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| self.slopes.sample(u).map(|wh| reflected(wo, wh)),
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {

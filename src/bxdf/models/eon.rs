@@ -117,7 +117,12 @@ impl<R: Real> Bxdf<R> for Eon<R> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |_| Some(warp::cosine_hemisphere(u)),
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {

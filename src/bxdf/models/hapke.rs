@@ -18,8 +18,6 @@
 //! far from even, with uniform and cosine directions that follow mu_i / (mu_i + mu_o): weights stay bounded, the surge
 //! raising them by no more than 1 + B0.
 
-use num_traits::Float;
-
 use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::optics::Spectrum;
@@ -219,7 +217,7 @@ impl<R: Real> Hapke<R> {
         } else {
             -cos
         };
-        let (sin_phi, cos_phi) = Float::sin_cos(R::TAU() * u[1]);
+        let (sin_phi, cos_phi) = u[1].sin_cos_turn();
         // A basis about wo without a root (`duff2017`), for z above 0.
         let a = -one / (one + wo.z);
         let b = wo.x * wo.y * a;
@@ -259,15 +257,20 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        sample_reflection(self, wo, |wo| {
-            let (phase_share, cosine_share) = self.shares(wo.z);
-            if uc < phase_share {
-                Some(self.sample_phase(wo, u))
-            } else {
-                let rest = (uc - phase_share) / (R::one() - phase_share);
-                Some(warp::mixed_hemisphere(cosine_share, rest, u))
-            }
-        })
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| {
+                let (phase_share, cosine_share) = self.shares(wo.z);
+                if uc < phase_share {
+                    Some(self.sample_phase(wo, u))
+                } else {
+                    let rest = (uc - phase_share) / (R::one() - phase_share);
+                    Some(warp::mixed_hemisphere(cosine_share, rest, u))
+                }
+            },
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {
@@ -299,12 +302,14 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
 
     #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        reflected_direction(wo, |wo| {
-            Some(match index {
-                0 => self.sample_phase(wo, u),
-                _ => warp::uniform_hemisphere(u),
-            })
-        })
+        reflected_direction(
+            wo,
+            #[inline(always)]
+            |wo| match index {
+                0 => Some(self.sample_phase(wo, u)),
+                _ => Some(warp::uniform_hemisphere(u)),
+            },
+        )
     }
 }
 
@@ -317,12 +322,10 @@ mod tests {
     use std::f64::consts::PI;
 
     fn f(material: &str, theta_o: f64, theta_i: f64) -> f64 {
-        let material: Material = material.parse().unwrap();
         let direction = |theta| direction_from_degrees(theta, 0.0).into();
-        material
-            .build::<f64>()
-            .f(direction(theta_o), direction(theta_i))
-            .0[0]
+        let material = material.parse::<Material>().unwrap();
+        let bxdf = material.build::<f64>();
+        bxdf.f(direction(theta_o), direction(theta_i)).0[0]
     }
 
     #[test]

@@ -216,10 +216,18 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
                 let [delta, _] = self.deltas(wo);
                 delta.map(|delta| delta.sample())
             }
-            Some((normals, _)) if uc < share => {
-                sample_reflection(self, wo, |wo| normals.sample_reflection(wo, u))
-            }
-            _ => sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u))),
+            Some((normals, _)) if uc < share => sample_reflection(
+                self,
+                wo,
+                #[inline(always)]
+                |wo| normals.sample_reflection(wo, u),
+            ),
+            _ => sample_reflection(
+                self,
+                wo,
+                #[inline(always)]
+                |_| Some(warp::cosine_hemisphere(u)),
+            ),
         }
     }
 
@@ -251,11 +259,15 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
 
     #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        reflected_direction(wo, |wo| match (index, &self.coat) {
-            (0, Some((normals, _))) => normals.sample_reflection(wo, u),
-            (0, None) => None,
-            _ => Some(warp::cosine_hemisphere(u)),
-        })
+        reflected_direction(
+            wo,
+            #[inline(always)]
+            |wo| match (index, &self.coat) {
+                (0, Some((normals, _))) => normals.sample_reflection(wo, u),
+                (0, None) => None,
+                _ => Some(warp::cosine_hemisphere(u)),
+            },
+        )
     }
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {

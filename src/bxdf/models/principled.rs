@@ -236,13 +236,11 @@ impl<R: Real> Principled<R> {
             R::one(),
             schlick_weight(pair.cos_d),
         );
-        let visibility = self.coat_masking.visibility(
-            pair.wo,
-            pair.wi,
-            Masking::Separable,
-            self.coat.d(pair.wh),
-        );
-        Spectrum::grey(self.clearcoat * fresnel * visibility)
+        let inverse = self
+            .coat_masking
+            .inverse_visibility(pair.wo, pair.wi, Masking::Separable);
+        let lobe = (self.coat.d(pair.wh) / inverse).saturated();
+        Spectrum::grey(self.clearcoat * fresnel * lobe)
     }
 
     /// The density of a direction reflected at a normal of the coat, in 1/sr.
@@ -289,16 +287,21 @@ impl<R: Real> Bxdf<R> for Principled<R> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        sample_reflection(self, wo, |wo| {
-            let [specular, diffuse, _] = self.shares(wo.z);
-            if uc < specular {
-                self.specular.sample_reflection(wo, u)
-            } else if uc < specular + diffuse {
-                Some(warp::cosine_hemisphere(u))
-            } else {
-                Some(reflected(wo, self.coat.sample_normal(u)))
-            }
-        })
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| {
+                let [specular, diffuse, _] = self.shares(wo.z);
+                if uc < specular {
+                    self.specular.sample_reflection(wo, u)
+                } else if uc < specular + diffuse {
+                    Some(warp::cosine_hemisphere(u))
+                } else {
+                    Some(reflected(wo, self.coat.sample_normal(u)))
+                }
+            },
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {
@@ -332,11 +335,15 @@ impl<R: Real> Bxdf<R> for Principled<R> {
 
     #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        reflected_direction(wo, |wo| match index {
-            0 => self.specular.sample_reflection(wo, u),
-            1 | 2 => Some(warp::cosine_hemisphere(u)),
-            _ => Some(reflected(wo, self.coat.sample_normal(u))),
-        })
+        reflected_direction(
+            wo,
+            #[inline(always)]
+            |wo| match index {
+                0 => self.specular.sample_reflection(wo, u),
+                1 | 2 => Some(warp::cosine_hemisphere(u)),
+                _ => Some(reflected(wo, self.coat.sample_normal(u))),
+            },
+        )
     }
 }
 

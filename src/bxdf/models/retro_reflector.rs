@@ -81,9 +81,12 @@ impl<R: Real> Bxdf<R> for RetroReflector<R> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        sample_reflection(self, wo, |wo| {
-            Some(self.ggx.sample_reflection(wo, u)?.mirrored_about_normal())
-        })
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| Some(self.ggx.sample_reflection(wo, u)?.mirrored_about_normal()),
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {

@@ -27,7 +27,8 @@ use crate::bxdf::microfacet::compensation::{Compensation, SeveralFacets, Uncompe
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
 use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
 use crate::bxdf::optics::Spectrum;
-use crate::bxdf::optics::facet_fresnel::{Conductor, FacetFresnel, One, Schlick};
+use crate::bxdf::optics::conductor::Conductor;
+use crate::bxdf::optics::facet_fresnel::{FacetFresnel, One, Schlick};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, both_above, reflected_direction, sample_reflection};
 
@@ -129,8 +130,8 @@ fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> B
         "schlick" => build_with_fresnel(params, normals, Schlick(spectrum("f0"))),
         "one" => build_with_fresnel(params, normals, One),
         _ => {
-            let (eta, k) = (spectrum("eta"), spectrum("k"));
-            build_with_fresnel(params, normals, Conductor { eta, k })
+            let (Spectrum(eta), Spectrum(k)) = (spectrum("eta"), spectrum("k"));
+            build_with_fresnel(params, normals, Conductor::new(eta, k))
         }
     }
 }
@@ -217,12 +218,15 @@ where
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        let sample = sample_reflection(self, wo, |wo| match self.compensation.choice(wo.z) {
-            Some((table, share)) if uc < share => Some(table.sample(u)),
-            _ => self.normals.sample_reflection(wo, u),
-        });
-        // The table's density begins at 0 where the loss does: the very end of a cell has none.
-        sample.filter(|sample| sample.pdf > R::zero())
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| match self.compensation.choice(wo.z) {
+                Some((table, share)) if uc < share => Some(table.sample(u)),
+                _ => self.normals.sample_reflection(wo, u),
+            },
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {
@@ -257,10 +261,14 @@ where
 
     #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        reflected_direction(wo, |wo| match index {
-            0 => self.normals.sample_reflection(wo, u),
-            _ => Some(warp::cosine_hemisphere(u)),
-        })
+        reflected_direction(
+            wo,
+            #[inline(always)]
+            |wo| match index {
+                0 => self.normals.sample_reflection(wo, u),
+                _ => Some(warp::cosine_hemisphere(u)),
+            },
+        )
     }
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {

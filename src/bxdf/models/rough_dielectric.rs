@@ -269,14 +269,14 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
             return sample_deltas(self.deltas(wo), uc);
         }
         let wi = self.draw(wo, u, |reflectance| uc < reflectance)?;
-        let pdf = self.pdf(wo, wi);
-        // At the edge of total reflection the way back from wi to its facet may fail by a rounding.
-        (pdf > R::zero()).then(|| Sample {
+        let sample = Sample {
             wi,
             f: self.f(wo, wi),
-            pdf,
+            pdf: self.pdf(wo, wi),
             is_delta: false,
-        })
+        };
+        // At the edge of total reflection the way back from wi to its facet may fail by a rounding.
+        sample.with_density()
     }
 
     fn lobes(&self) -> &[Lobe] {

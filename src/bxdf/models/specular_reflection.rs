@@ -11,7 +11,7 @@
 //! transmitted light is dropped (it counts as absorbed); `fresnel_specular` keeps it.
 
 use super::*;
-use crate::bxdf::optics::{Spectrum, fresnel};
+use crate::bxdf::optics::{Spectrum, conductor, fresnel};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Delta, Deltas, sample_deltas};
 
@@ -74,7 +74,7 @@ fn validate(params: &ParamSet) -> Result<()> {
 enum Fresnel<R> {
     One,
     Dielectric(Spectrum<R>),
-    Conductor(Spectrum<R>, Spectrum<R>),
+    Conductor(conductor::Conductor<R>),
 }
 
 struct SpecularReflection<R> {
@@ -86,7 +86,10 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     let eta = Spectrum::of(params.rgb("eta"));
     let fresnel = match params.choice("fresnel") {
         "dielectric" => Fresnel::Dielectric(eta),
-        "conductor" => Fresnel::Conductor(eta, Spectrum::of(params.rgb("k"))),
+        "conductor" => {
+            let Spectrum(k) = Spectrum::of(params.rgb("k"));
+            Fresnel::Conductor(conductor::Conductor::new(eta.0, k))
+        }
         _ => Fresnel::One,
     };
     Box::new(SpecularReflection {
@@ -119,7 +122,7 @@ impl<R: Real> Bxdf<R> for SpecularReflection<R> {
         let share = match &self.fresnel {
             Fresnel::One => Spectrum::grey(R::one()),
             Fresnel::Dielectric(eta) => eta.map(|n| fresnel::dielectric(cos, n).reflectance),
-            Fresnel::Conductor(eta, k) => eta.zip(*k, |n, k| fresnel::conductor(cos, n, k)),
+            Fresnel::Conductor(metal) => Spectrum(metal.reflectance(cos)),
         };
         let flux = self.reflectance * share;
         let direction = w.mirrored_about_normal();

@@ -112,9 +112,12 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        sample_reflection(self, wo, |wo| {
-            Some(warp::mixed_hemisphere(Self::cosine_share(wo.z), uc, u))
-        })
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| Some(warp::mixed_hemisphere(Self::cosine_share(wo.z), uc, u)),
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {
@@ -131,7 +134,11 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
 
     #[inline(always)]
     fn sample_lobe(&self, _index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        reflected_direction(wo, |_| Some(warp::uniform_hemisphere(u)))
+        reflected_direction(
+            wo,
+            #[inline(always)]
+            |_| Some(warp::uniform_hemisphere(u)),
+        )
     }
 }
 

@@ -1,6 +1,8 @@
 //! The reflectances a facet may have, as types: models are compiled for each.
 
-use super::{Spectrum, fresnel};
+use super::Spectrum;
+use super::conductor::Conductor;
+use super::fresnel;
 use crate::bxdf::math::Real;
 use crate::bxdf::math::quadrature::gauss_legendre;
 
@@ -11,15 +13,6 @@ pub trait FacetFresnel<R: Real>: Copy + Send + Sync + 'static {
 
     /// The cosine-weighted mean Fbar = 2 int F(mu) mu dmu.
     fn mean(&self) -> Spectrum<R>;
-}
-
-/// A conductor of index eta + i k, exactly.
-#[derive(Clone, Copy, Debug)]
-pub struct Conductor<R> {
-    /// The real part of the relative index.
-    pub eta: Spectrum<R>,
-    /// Its imaginary part.
-    pub k: Spectrum<R>,
 }
 
 /// Schlick's approximation, by the reflectance at normal incidence.
@@ -33,16 +26,11 @@ pub struct One;
 /// Nodes of the mean Fresnel reflectance: 1e-6 for metals; 1e-4 where the reflectance has the kink of a critical angle.
 const NODES: usize = 32;
 
+/// Exactly.
 impl<R: Real> FacetFresnel<R> for Conductor<R> {
     #[inline(always)]
     fn at(&self, cos_d: R) -> Spectrum<R> {
-        // Spelled out: a closure of this size, called three times, would stay a call, and no loop over it vectorise.
-        let ([n0, n1, n2], [k0, k1, k2]) = (self.eta.0, self.k.0);
-        Spectrum([
-            fresnel::conductor(cos_d, n0, k0),
-            fresnel::conductor(cos_d, n1, k1),
-            fresnel::conductor(cos_d, n2, k2),
-        ])
+        Spectrum(self.reflectance(cos_d))
     }
 
     fn mean(&self) -> Spectrum<R> {

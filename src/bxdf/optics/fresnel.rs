@@ -1,9 +1,8 @@
 //! Fresnel's equations at a smooth interface, for unpolarised light, in forms that keep their digits.
 //!
 //! # Source
-//! Born & Wolf, "Principles of Optics", 7th ed., sections 1.5.2 and 14.2; the rearrangements that avoid the
-//! cancellations near normal incidence, near equal indices and at huge absorption are our own and stated beside each
-//! formula.
+//! Born & Wolf, "Principles of Optics", 7th ed., section 1.5.2; the rearrangements that avoid the cancellations near normal
+//! incidence and near equal indices are our own and stated beside each formula.
 
 use crate::bxdf::math::{Real, Vec3};
 
@@ -103,67 +102,6 @@ pub fn refracted<R: Real>(w: Vec3<R>, n: R, cos_t: R) -> Vec3<R> {
     Vec3::new(-w.x / n, -w.y / n, z)
 }
 
-/// Conductor Fresnel reflectance, 0..1.
-///
-/// `cos_i`: absolute cosine of the incident direction, 0..1. `n`, `k`: real and imaginary part of the relative index,
-/// not both 0. Largest error in f32 2e-5 over n .01..3, k 1e-4..1e10, cos 1e-5..1.
-///
-/// A + iB is the root of (n - ik)^2 - sin^2; its modulus is formed from the larger part, so that k = 1e10 does not
-/// overflow f32, and A - c from its own equation where k is small, so that k = 0 agrees with [`dielectric`].
-#[inline(always)]
-pub fn conductor<R: Real>(cos_i: R, n: R, k: R) -> R {
-    let (zero, one, half) = (R::zero(), R::one(), R::of(0.5));
-    let c = cos_i.min(one);
-    let s2 = (one - c) * (one + c);
-    let near_vacuum = k < one && (n - one).abs() < half;
-    let n2_minus_1 = (n - one) * (n + one);
-    let re = if near_vacuum {
-        n2_minus_1 - k * k + c * c
-    } else {
-        (n - k) * (n + k) - s2
-    };
-    let im = R::of(2.0) * n * k;
-    let (larger, smaller) = if re.abs() > im {
-        (re.abs(), im)
-    } else {
-        (im, re.abs())
-    };
-    let ratio = if larger > zero {
-        smaller / larger
-    } else {
-        zero
-    };
-    let modulus = larger * (one + ratio * ratio).sqrt();
-    let big = ((modulus + re.abs()) * half).sqrt();
-    let small = if big > zero { half * im / big } else { zero };
-    let (a, b) = if re >= zero {
-        (big, small)
-    } else {
-        (small, big)
-    };
-    let a_plus_c = a + c;
-    let a_minus_c = if k < one && a_plus_c > zero {
-        (n2_minus_1 - k * k + b * b) / a_plus_c
-    } else {
-        a - c
-    };
-    // Guards the quotient 0/0 at c = 0, n = 1, k = 0: with it, both parts are 0 and the reflectance is taken as 1.
-    let denominator_s = a_plus_c * a_plus_c + b * b;
-    let r_s = if denominator_s > zero {
-        (a_minus_c * a_minus_c + b * b) / denominator_s
-    } else {
-        one
-    };
-    let (p, q) = (a * c, c * b);
-    let denominator_p = (p + s2) * (p + s2) + q * q;
-    let p_over_s = if denominator_p > zero {
-        ((p - s2) * (p - s2) + q * q) / denominator_p
-    } else {
-        one
-    };
-    (half * r_s * (one + p_over_s)).min(one)
-}
-
 /// Schlick's approximation f0 + (1 - f0)(1 - c)^5.
 ///
 /// `cos_i`: cosine of the incident direction, clamped to 0..1. `f0`: reflectance at normal incidence, 0..1.
@@ -178,7 +116,7 @@ pub fn schlick<R: Real>(cos_i: R, f0: R) -> R {
 /// The weight (1 - c)^5 of [`schlick`], for `cos_i` clamped to 0..1.
 #[inline(always)]
 pub fn schlick_weight<R: Real>(cos_i: R) -> R {
-    let m = (R::one() - cos_i).max(R::zero()).min(R::one());
+    let m = (R::one() - cos_i).at_least(R::zero()).at_most(R::one());
     let m2 = m * m;
     m2 * m2 * m
 }
@@ -186,7 +124,7 @@ pub fn schlick_weight<R: Real>(cos_i: R) -> R {
 /// 1 - (1 - c)^5 for `cos_i` in 0..1, without cancellation: c times the geometric sum of the powers of 1 - c.
 #[inline(always)]
 pub fn schlick_rest<R: Real>(cos_i: R) -> R {
-    let m = (R::one() - cos_i).max(R::zero()).min(R::one());
+    let m = (R::one() - cos_i).at_least(R::zero()).at_most(R::one());
     let m2 = m * m;
     cos_i * (R::one() + m + m2 + m2 * m + m2 * m2)
 }
@@ -258,35 +196,6 @@ mod tests {
         }
         // A dozen roundings of 6e-8; measured 8e-7.
         assert!(worst < 1.2e-6, "{worst}");
-    }
-
-    #[test]
-    fn conductor_without_absorption_is_the_dielectric() {
-        for n in [0.7_f64, 1.0 + 1e-6, 1.5, 3.0] {
-            for c in [1e-3, 0.2, 0.8, 1.0] {
-                let expected = dielectric(c, n).reflectance;
-                assert!(
-                    (conductor(c, n, 0.0) - expected).abs() <= 1e-13 * expected.max(1e-3),
-                    "n {n} c {c}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn conductor_survives_its_extremes() {
-        for k in [0.0_f32, 1e-10, 1e-4, 1.0, 1e5, 1e10] {
-            for n in [0.0_f32, 1e-4, 1.0, 1e4] {
-                for c in [0.0_f32, 1e-38, 1e-5, 0.5, 1.0] {
-                    let r = conductor(c, n, k);
-                    assert!((0.0..=1.0).contains(&r), "n {n} k {k} c {c}: {r}");
-                }
-            }
-        }
-        // Gold at 700 nm, normal incidence: ((n-1)^2 + k^2) / ((n+1)^2 + k^2).
-        let (n, k) = (0.143_f64, 3.983);
-        let expected = ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k);
-        assert!((conductor(1.0, n, k) - expected).abs() < 1e-15);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Light at an interface: spectra of three channels and Fresnel's equations.
 
+pub mod conductor;
 pub mod diffuse_fresnel;
 pub mod facet_fresnel;
 pub mod fresnel;

@@ -1,0 +1,4 @@
+//! Functions that no library gives in the form needed here.
+
+pub mod error_function;
+pub mod polynomial;
