@@ -10,7 +10,8 @@ dr.sync_thread, with the look-up, stands beside it. Each repetition traces anew;
 compiled, is checked. Directions, random numbers and the materials' parameters are arguments of the kernel, not
 constants in it, and nothing carries gradients. The methods are called on the BSDF itself, not through a table of BSDFs.
 
-Ours measures itself: the verb `bench`, its dispatched path on one thread, its parallel path on two.
+Ours measures itself: the verb `bench`, its dispatched path on one thread, its parallel path on two. Dr.Jit asks the
+system for huge pages for its arrays; ours gets them too, by a setting of the C library's allocator.
 """
 
 import argparse
@@ -54,7 +55,10 @@ GOLD = {
 }
 # Our text of each material, and Mitsuba's description. Mitsuba's masking is the separable one.
 MATERIALS = {
-    "lambertian_reflection": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}},
+    "lambertian_reflection:reflectance=.8/.5/.2": {
+        "type": "diffuse",
+        "reflectance": {"type": "rgb", "value": [0.8, 0.5, 0.2]},
+    },
     "rough_conductor:eta=.2,k=3.9,alpha=.3,masking=separable": GGX | {"eta": 0.2, "k": 3.9, "alpha": 0.3},
     "rough_conductor:masking=separable,alpha=.3": GGX | GOLD | {"alpha": 0.3},
     "rough_conductor:masking=separable,alpha_x=.1,alpha_y=.5": GGX | GOLD | {"alpha_u": 0.1, "alpha_v": 0.5},
@@ -184,7 +188,8 @@ def time_mitsuba(bsdf, pairs):
 
 
 def run_ours(binary, *arguments, stdin=None):
-    done = subprocess.run([binary, *arguments], input=stdin, capture_output=True, text=True)
+    environment = os.environ | {"GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
+    done = subprocess.run([binary, *arguments], input=stdin, capture_output=True, text=True, env=environment)
     if done.returncode != 0:
         sys.exit(f"error: {binary} {' '.join(map(str, arguments))} failed:\n{done.stderr.strip()}")
     return done.stdout
@@ -192,12 +197,9 @@ def run_ours(binary, *arguments, stdin=None):
 
 def time_ours(binary, material, pairs, threads):
     """Per operation (by Mitsuba's names) our time, and what is said of the machine."""
-    report = json.loads(run_ours(binary, "bench", material, "--pairs", pairs.file, "--threads", str(threads), "--json"))
-    rows = {
-        row["operation"]: {"ns": row["ns"], "spread": row["spread"]}
-        for row in report["rows"]
-        if (row["material"], row["precision"], row["path"]) == (material, "f32", PATHS[threads])
-    }
+    only = ("--precision", "f32", "--path", PATHS[threads], "--threads", str(threads))
+    report = json.loads(run_ours(binary, "bench", material, "--pairs", pairs.file, *only, "--json"))
+    rows = {row["operation"]: {"ns": row["ns"], "spread": row["spread"]} for row in report["rows"]}
     missing = OPERATIONS.values() - rows.keys()
     if missing:
         sys.exit(f"error: {binary} bench gives no {', '.join(missing)} in f32, {PATHS[threads]}, for {material}")

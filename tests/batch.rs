@@ -11,7 +11,8 @@ use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::optics::Spectrum;
-use brdf_explorer::bxdf::{Material, Precision};
+use brdf_explorer::bxdf::rotated::Rotated;
+use brdf_explorer::bxdf::{Bxdf, Material, Precision};
 
 /// Directions of a spiral over the sphere, `n` of them, as components.
 fn spiral<R: Real>(n: usize, turn: f64) -> [Vec<R>; 3] {
@@ -38,8 +39,13 @@ fn batches_give_what_single_calls_give<R: Precision + Real<Stored = R>>(n: usize
     let models = MODELS
         .into_iter()
         .map(|model| (model.id, Material::of(model)));
-    for (id, material) in models.chain([(mixture.id, mixture.material.clone())]) {
-        let bxdf = material.build::<R>();
+    let surfaces = models
+        .chain([(mixture.id, mixture.material.clone())])
+        .flat_map(|(id, material)| {
+            let turned = Rotated::new(material.build::<R>(), (R::of(0.6), R::of(0.8)));
+            [(id, material.build::<R>()), (id, Box::new(turned))]
+        });
+    for (id, bxdf) in surfaces {
         for path in [Path::Plain, Path::Dispatched] {
             let mut all: Vec<Vec<R>> = vec![vec![R::zero(); n]; 8];
             let wo_in = wo.each_ref().map(Vec::as_slice);
@@ -79,7 +85,48 @@ fn batches_give_what_single_calls_give<R: Precision + Real<Stored = R>>(n: usize
                     assert_eq!(delta[k] == R::one(), sample.is_delta, "{id} {k}");
                 }
             }
+            for (index, is_incident) in
+                (0..bxdf.lobes().len()).flat_map(|i| [(i, false), (i, true)])
+            {
+                let job = Job::Lobe {
+                    index,
+                    is_incident,
+                    held: wo_in,
+                    u: [u, v],
+                    free: [&mut *x, &mut *y, &mut *z],
+                    weight: [&mut *r, &mut *g, &mut *b],
+                };
+                bxdf.batch(path, job);
+                for k in 0..n {
+                    let single = drawn(&*bxdf, index, is_incident, at(&wo, k), [u[k], v[k]]);
+                    let found = (Vec3::new(x[k], y[k], z[k]), Spectrum([r[k], g[k], b[k]]));
+                    assert_eq!(found, single, "{id} lobe {index} {k}");
+                }
+            }
         }
+    }
+}
+
+/// The direction of a lobe and f |cos| / pdf there, by single calls; 0 where it is lost.
+fn drawn<R: Real>(
+    bxdf: &dyn Bxdf<R>,
+    index: usize,
+    is_incident: bool,
+    held: Vec3<R>,
+    u: [R; 2],
+) -> (Vec3<R>, Spectrum<R>) {
+    let zero = R::zero();
+    let free = bxdf.sample_lobe(index, held, u);
+    match free.map(|free| (free, bxdf.lobe_pdf(index, held, free))) {
+        Some((free, pdf)) if pdf > zero => {
+            let (wo, wi) = if is_incident {
+                (free, held)
+            } else {
+                (held, free)
+            };
+            (free, bxdf.lobe_f(index, wo, wi) * (free.z.abs() / pdf))
+        }
+        _ => (Vec3::new(zero, zero, zero), Spectrum::black()),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::{Bxdf, Lobe, Side};
 
 /// Which of the two directions is held while the lobe is drawn over the other.
@@ -83,6 +84,25 @@ impl<'a> HeldLobe<'a> {
         }
     }
 
+    /// [`Self::value_or_limit`] for all directions of `free`.
+    #[must_use]
+    pub fn values_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<[f64; 3]> {
+        let lift = HORIZON_LIFT.copysign(if is_upper { 1.0 } else { -1.0 });
+        let height = |w: &DVec3| if w.z.abs() < HORIZON_LIFT { lift } else { w.z };
+        let (x, y, z) = components(free.iter().map(|w| DVec3::new(w.x, w.y, height(w))));
+        let free = [&x[..], &y, &z];
+        let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; free[0].len()]);
+        let held = held.each_ref().map(Vec::as_slice);
+        let (wo, wi) = match self.hold {
+            Hold::Light => (free, held),
+            Hold::Viewer => (held, free),
+        };
+        let mut channels = [(); 3].map(|()| vec![0.0; x.len()]);
+        let f = channels.each_mut().map(Vec::as_mut_slice);
+        self.bxdf.batch(Path::Dispatched, Job::F { wo, wi, f });
+        triples(&channels)
+    }
+
     /// The Dirac deltas, by the flux they carry.
     #[must_use]
     pub fn arrows(&self) -> Vec<Arrow> {
@@ -101,25 +121,28 @@ impl<'a> HeldLobe<'a> {
         self.bxdf.lobes()
     }
 
-    /// The free direction that the inner lobe at `index` maps `u` to, and f |cos(theta)| / pdf there for that lobe alone,
-    /// per channel: its integral over the unit square is that of f |cos(theta)| over the sphere. `None` where the
-    /// direction is lost.
+    /// The free directions that the inner lobe at `index` maps the points `u` of the unit square to, with their weights.
     ///
     /// The maps are made for a held `wo`; they follow the lobe of a held `wi` as well, whatever their density.
     #[must_use]
-    pub fn drawn(&self, index: usize, u: [f64; 2]) -> Option<(DVec3, [f64; 3])> {
-        let held = self.held.into();
-        let free = self.bxdf.sample_lobe(index, held, u)?;
-        let pdf = self.bxdf.lobe_pdf(index, held, free);
-        if pdf <= 0.0 {
-            return None;
-        }
-        let f = match self.hold {
-            Hold::Light => self.bxdf.lobe_f(index, free, held),
-            Hold::Viewer => self.bxdf.lobe_f(index, held, free),
+    pub fn drawn(&self, index: usize, u: &[[f64; 2]]) -> Drawn {
+        let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; u.len()]);
+        let (first, second): (Vec<_>, Vec<_>) = u.iter().map(|[a, b]| (*a, *b)).unzip();
+        let mut free = [(); 3].map(|()| vec![0.0; u.len()]);
+        let mut weight = free.clone();
+        let job = Job::Lobe {
+            index,
+            is_incident: self.hold == Hold::Light,
+            held: held.each_ref().map(Vec::as_slice),
+            u: [&first, &second],
+            free: free.each_mut().map(Vec::as_mut_slice),
+            weight: weight.each_mut().map(Vec::as_mut_slice),
         };
-        let scale = free.z.abs() / pdf;
-        Some((free.into(), f.to_f64().map(|f| f * scale)))
+        self.bxdf.batch(Path::Dispatched, job);
+        Drawn {
+            directions: triples(&free).into_iter().map(DVec3::from).collect(),
+            weights: triples(&weight),
+        }
     }
 
     /// Directions where the lobe is, denser where it is higher: the images of a regular grid under the map of each inner
@@ -133,8 +156,11 @@ impl<'a> HeldLobe<'a> {
             integral: 0.0,
         };
         for index in 0..self.lobes().len() {
-            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
-                if let Some((direction, weight)) = self.drawn(index, [centre(i), centre(j)]) {
+            let grid = (0..n).flat_map(|i| (0..n).map(move |j| [centre(i), centre(j)]));
+            let drawn = self.drawn(index, &grid.collect::<Vec<_>>());
+            let lost = DVec3::ZERO;
+            for (direction, weight) in drawn.directions.into_iter().zip(drawn.weights) {
+                if direction != lost {
                     seeds.directions.push(direction);
                     seeds.integral += weight.into_iter().fold(0.0, f64::max) / f64::from(n * n);
                 }
@@ -142,6 +168,27 @@ impl<'a> HeldLobe<'a> {
         }
         seeds
     }
+}
+
+/// What [`HeldLobe::drawn`] returns, in the order of the points.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The directions; 0 where one is lost.
+    pub directions: Vec<DVec3>,
+    /// f |cos(theta)| / pdf of the lobe alone, per channel; 0 where the direction is lost. Over the unit square it
+    /// integrates to the integral of the lobe's f |cos(theta)| over the sphere.
+    pub weights: Vec<[f64; 3]>,
+}
+
+/// The components of vectors.
+fn components(vectors: impl Iterator<Item = DVec3>) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    vectors.map(|w| (w.x, w.y, w.z)).collect()
+}
+
+/// Three arrays of one length as an array of triples.
+fn triples([a, b, c]: &[Vec<f64>; 3]) -> Vec<[f64; 3]> {
+    let all = a.iter().zip(b).zip(c);
+    all.map(|((a, b), c)| [*a, *b, *c]).collect()
 }
 
 /// What [`HeldLobe::seeds`] returns.

@@ -19,6 +19,14 @@ pub struct Request {
     pub scale: RadialScale,
 }
 
+impl Request {
+    /// The value shown where f is this at the unit vector `w`.
+    fn shown(&self, f: [f64; 3], w: DVec3) -> [f64; 3] {
+        let cosine = if self.with_cosine { w.z.abs() } else { 1.0 };
+        f.map(|f| f * cosine)
+    }
+}
+
 /// A point of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
@@ -108,8 +116,17 @@ fn arc(lobe: &HeldLobe<'_>, request: &Request, angles: &[f64], is_upper: bool) -
         .collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| *a - *b < NARROWEST);
-    let at = |place: f64| value_on_side(lobe, request, angle_of(place), is_upper);
-    let curve = places.into_iter().map(|place| (place, at(place))).collect();
+    let at = |places: &[f64]| {
+        let directions = places
+            .iter()
+            .map(|place| direction(angle_of(*place), request.phi));
+        let directions: Vec<_> = directions.collect();
+        let values = lobe.values_or_limits(&directions, is_upper);
+        let shown = values.into_iter().zip(directions);
+        shown.map(|(f, w)| request.shown(f, w)).collect::<Vec<_>>()
+    };
+    let values = at(&places);
+    let curve = places.into_iter().zip(values).collect();
     let curve = refine(curve, &at, request.scale);
     if curve.iter().all(|(_, value)| largest(*value) == 0.0) {
         return Vec::new();
@@ -132,10 +149,11 @@ fn largest(value: [f64; 3]) -> f64 {
     value.into_iter().fold(0.0, f64::max)
 }
 
-/// Halves the intervals of `curve` (places and values, by place) until its chords follow it.
+/// Halves the intervals of `curve` (places and values, by place) until its chords follow it; `at` gives the values at
+/// many places.
 fn refine(
     curve: Vec<(f64, [f64; 3])>,
-    at: &impl Fn(f64) -> [f64; 3],
+    at: &impl Fn(&[f64]) -> Vec<[f64; 3]>,
     scale: RadialScale,
 ) -> Vec<(f64, [f64; 3])> {
     let mut curve = curve;
@@ -154,6 +172,16 @@ fn refine(
             let radius = scale.radius(largest(value), peak);
             [radius * place.sin(), radius * place.cos()]
         };
+        let is_open = |[a, b]: [f64; 2], was_settled: bool| !was_settled && b - a >= NARROWEST;
+        let middles: Vec<f64> = curve
+            .windows(2)
+            .zip(&is_settled)
+            .filter_map(|(pair, was_settled)| match pair {
+                [(a, _), (b, _)] if is_open([*a, *b], *was_settled) => Some(f64::midpoint(*a, *b)),
+                _ => None,
+            })
+            .collect();
+        let mut looked_at = at(&middles).into_iter();
         let (mut finer, mut settled) = (
             Vec::with_capacity(2 * curve.len()),
             Vec::with_capacity(2 * curve.len()),
@@ -163,12 +191,12 @@ fn refine(
                 continue;
             };
             finer.push((a, value_a));
-            if *was_settled || b - a < NARROWEST {
+            if !is_open([a, b], *was_settled) {
                 settled.push(true);
                 continue;
             }
             let middle = f64::midpoint(a, b);
-            let value = at(middle);
+            let value = looked_at.next().unwrap_or_default();
             let ([ax, ay], [bx, by], [mx, my]) =
                 (end(a, value_a), end(b, value_b), end(middle, value));
             let gap = (mx - f64::midpoint(ax, bx)).hypot(my - f64::midpoint(ay, by));
@@ -198,8 +226,7 @@ pub fn value_at(lobe: &HeldLobe<'_>, request: &Request, angle: f64) -> [f64; 3] 
 
 fn value_on_side(lobe: &HeldLobe<'_>, request: &Request, angle: f64, is_upper: bool) -> [f64; 3] {
     let w = direction(angle, request.phi);
-    let cosine = if request.with_cosine { w.z.abs() } else { 1.0 };
-    lobe.value_or_limit(w, is_upper).map(|f| f * cosine)
+    request.shown(lobe.value_or_limit(w, is_upper), w)
 }
 
 #[cfg(test)]

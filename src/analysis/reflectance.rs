@@ -93,8 +93,8 @@ pub fn lobe_shares(
     let lobes = held.lobes();
     let tolerance = tolerance / lobes.len().max(1) as f64;
     let continuous = lobes.iter().enumerate().map(|(index, lobe)| {
-        let weight = |u| held.drawn(index, u).map_or([0.0; 3], |(_, weight)| weight);
-        let Integral { value, error } = integrate_square(weight, tolerance, max_evaluations);
+        let weights = |u: &[[f64; 2]]| held.drawn(index, u).weights;
+        let Integral { value, error } = integrate_square(weights, tolerance, max_evaluations);
         LobeShare {
             lobe: *lobe,
             value,

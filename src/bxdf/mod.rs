@@ -14,6 +14,7 @@ pub mod param;
 pub mod rotated;
 pub mod single;
 pub mod spec;
+pub mod unscattered;
 
 pub use material::{Component, Material};
 pub use spec::{
@@ -170,14 +171,17 @@ impl<R: Real> Delta<R> {
 /// falls into it.
 #[inline(always)]
 pub fn sample_deltas<R: Real>(deltas: Deltas<R>, uc: R) -> Option<Sample<R>> {
-    let mut rest = uc;
-    for delta in deltas.into_iter().flatten() {
-        if rest < delta.probability {
-            return Some(delta.sample());
-        }
-        rest = rest - delta.probability;
+    // Written out: an inner loop would keep a batch's from being vectorised.
+    let [first, second] = deltas;
+    let rest = match first {
+        Some(delta) if uc < delta.probability => return Some(delta.sample()),
+        Some(delta) => uc - delta.probability,
+        None => uc,
+    };
+    match second {
+        Some(delta) if rest < delta.probability => Some(delta.sample()),
+        _ => None,
     }
-    None
 }
 
 /// `wo` and `wi` above the surface, for a two-sided reflection model: mirrored in the surface where both are below.

@@ -1,5 +1,6 @@
 //! A surface turned about its normal.
 
+use super::batch::{Directions, Job, Path};
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
 use super::{Bxdf, Delta, Deltas, Lobe, Microfacet, Sample};
@@ -31,6 +32,25 @@ impl<R: Real> Rotated<R> {
         )
     }
 
+    /// [`Self::local_from_fixed`] of many: their components along s and t, that along n staying as it is.
+    fn all_local<'a>(&self, [x, y, z]: Directions<'a, R::Stored>) -> Local<'a, R> {
+        let given = x.iter().zip(y);
+        let turned = given.map(|(x, y)| {
+            let w = self.local_from_fixed(Vec3::new(R::load(*x), R::load(*y), R::zero()));
+            (w.x.store(), w.y.store())
+        });
+        let (x, y) = turned.unzip();
+        Local { x, y, z }
+    }
+
+    /// [`Self::fixed_from_local`] of the first `n`, in their place.
+    fn turn_back(&self, n: usize, x: &mut [R::Stored], y: &mut [R::Stored]) {
+        for (x, y) in x.iter_mut().zip(y).take(n) {
+            let w = self.fixed_from_local(Vec3::new(R::load(*x), R::load(*y), R::zero()));
+            (*x, *y) = (w.x.store(), w.y.store());
+        }
+    }
+
     #[inline]
     fn fixed_from_local(&self, w: Vec3<R>) -> Vec3<R> {
         Vec3::new(
@@ -41,7 +61,83 @@ impl<R: Real> Rotated<R> {
     }
 }
 
+/// Directions in the surface's own frame.
+struct Local<'a, R: Real> {
+    x: Vec<R::Stored>,
+    y: Vec<R::Stored>,
+    z: &'a [R::Stored],
+}
+
+impl<R: Real> Local<'_, R> {
+    fn directions(&self) -> Directions<'_, R::Stored> {
+        [&self.x, &self.y, self.z]
+    }
+}
+
 impl<R: Real> Bxdf<R> for Rotated<R> {
+    fn batch(&self, path: Path, job: Job<'_, R::Stored>) {
+        let n = job.len();
+        match job {
+            Job::F { wo, wi, f } => {
+                let (wo, wi) = (self.all_local(wo), self.all_local(wi));
+                let (wo, wi) = (wo.directions(), wi.directions());
+                self.inner.batch(path, Job::F { wo, wi, f });
+            }
+            Job::Pdf { wo, wi, pdf } => {
+                let (wo, wi) = (self.all_local(wo), self.all_local(wi));
+                let (wo, wi) = (wo.directions(), wi.directions());
+                self.inner.batch(path, Job::Pdf { wo, wi, pdf });
+            }
+            Job::FPdf { wo, wi, f, pdf } => {
+                let (wo, wi) = (self.all_local(wo), self.all_local(wi));
+                let (wo, wi) = (wo.directions(), wi.directions());
+                self.inner.batch(path, Job::FPdf { wo, wi, f, pdf });
+            }
+            Job::Sample {
+                wo,
+                uc,
+                u,
+                wi: [x, y, z],
+                f,
+                pdf,
+                delta,
+            } => {
+                let wo = self.all_local(wo);
+                let turned = Job::Sample {
+                    wo: wo.directions(),
+                    uc,
+                    u,
+                    wi: [&mut *x, &mut *y, z],
+                    f,
+                    pdf,
+                    delta,
+                };
+                self.inner.batch(path, turned);
+                self.turn_back(n, x, y);
+            }
+            Job::Lobe {
+                index,
+                is_incident,
+                held,
+                u,
+                free: [x, y, z],
+                weight,
+            } => {
+                let held = self.all_local(held);
+                let turned = Job::Lobe {
+                    index,
+                    is_incident,
+                    held: held.directions(),
+                    u,
+                    free: [&mut *x, &mut *y, z],
+                    weight,
+                };
+                self.inner.batch(path, turned);
+                self.turn_back(n, x, y);
+            }
+        }
+    }
+
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.inner
             .f(self.local_from_fixed(wo), self.local_from_fixed(wi))

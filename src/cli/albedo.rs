@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::args::{self, Given};
@@ -83,7 +84,7 @@ fn report(arguments: &Arguments) -> Report {
     Report {
         material: material.to_string(),
         phi: arguments.phi,
-        rows: arguments.theta.iter().map(row).collect(),
+        rows: arguments.theta.par_iter().map(row).collect(),
         isotropic: Isotropic {
             declared: material.is_isotropic(),
             measured: isotropy::measured(&*bxdf),

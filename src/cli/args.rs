@@ -109,6 +109,18 @@ pub(super) fn precision(text: &str) -> Result<PrecisionName> {
     )
 }
 
+/// Reads the name of a precision that the machine has.
+pub(super) fn native_precision(text: &str) -> Result<PrecisionName> {
+    choice(
+        "native precision",
+        text,
+        &[
+            (<f32 as Real>::NAME, PrecisionName::F32),
+            (<f64 as Real>::NAME, PrecisionName::F64),
+        ],
+    )
+}
+
 /// The value that the word `text` names among `choices`.
 ///
 /// # Errors

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use super::args::{self, Given};
+use super::args::{self, Given, PrecisionName};
 use super::{check, output};
 use crate::bxdf::math::Real;
 use crate::bxdf::models::MODELS;
@@ -24,6 +24,12 @@ pub(super) struct Arguments {
     /// Threads of the parallel rows; all by default
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
+    /// Measure only this precision, f32 or f64; both by default
+    #[arg(long, value_parser = args::native_precision)]
+    precision: Option<PrecisionName>,
+    /// Measure only this way to run: plain, dispatched or parallel; all by default
+    #[arg(long, value_parser = mode)]
+    path: Option<Mode>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -36,6 +42,8 @@ struct Report {
     instruction_set: String,
     threads: usize,
     pairs: usize,
+    #[serde(skip)]
+    modes: Vec<Mode>,
     rows: Vec<Row>,
 }
 
@@ -62,16 +70,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
             .map(|given| (given.text(), given.checked().clone()))
             .collect()
     };
+    let is_wanted = |precision| arguments.precision.is_none_or(|only| only == precision);
+    let modes = arguments.path.map_or(Mode::ALL.to_vec(), |only| vec![only]);
     let mut rows = Vec::new();
     for (text, material) in materials {
-        rows.extend(rows_of::<f32>(text, &material, file.as_deref()));
-        rows.extend(rows_of::<f64>(text, &material, file.as_deref()));
+        if is_wanted(PrecisionName::F32) {
+            rows.extend(rows_of::<f32>(text, &material, &modes, file.as_deref()));
+        }
+        if is_wanted(PrecisionName::F64) {
+            rows.extend(rows_of::<f64>(text, &material, &modes, file.as_deref()));
+        }
     }
     let report = Report {
         machine: check::machine(),
         instruction_set: batch::instruction_set(),
         threads: rayon::current_num_threads(),
         pairs: file.map_or(PAIRS, |values| values.len() / ARRAYS),
+        modes,
         rows,
     };
     if arguments.json {
@@ -84,6 +99,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
 fn rows_of<R: Precision + Real<Stored = R>>(
     text: &str,
     material: &Material,
+    modes: &[Mode],
     file: Option<&[f64]>,
 ) -> Vec<Row> {
     let pairs: Pairs<R> = file.map_or_else(
@@ -92,8 +108,8 @@ fn rows_of<R: Precision + Real<Stored = R>>(
     );
     let mut rows = Vec::new();
     for operation in Operation::ALL {
-        for mode in Mode::ALL {
-            let row = measure(material, &pairs, operation, mode);
+        for mode in modes {
+            let row = measure(material, &pairs, operation, *mode);
             rows.push(Row {
                 material: text.to_owned(),
                 ..row
@@ -101,6 +117,11 @@ fn rows_of<R: Precision + Real<Stored = R>>(
         }
     }
     rows
+}
+
+/// Reads the name of a way to run.
+fn mode(text: &str) -> Result<Mode> {
+    args::choice("path", text, &Mode::ALL.map(|mode| (mode.name(), mode)))
 }
 
 /// Arrays in a file of pairs.
@@ -128,12 +149,12 @@ impl Report {
             self.machine, self.instruction_set, self.pairs
         );
         // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{:<40} {:<4} {:<8} {:>22} {:>22} {:>22}",
-            "material", "", "", "plain", "dispatched", "parallel"
-        );
-        for modes in self.rows.chunks(Mode::ALL.len()) {
+        let _ = write!(text, "{:<40} {:<4} {:<8}", "material", "", "");
+        for mode in &self.modes {
+            let _ = write!(text, " {:>22}", mode.name());
+        }
+        text.push('\n');
+        for modes in self.rows.chunks(self.modes.len()) {
             let Some(first) = modes.first() else { continue };
             let operation = format!("{:?}", first.operation).to_lowercase();
             let _ = write!(

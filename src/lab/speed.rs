@@ -125,6 +125,16 @@ pub enum Mode {
 impl Mode {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Plain, Self::Dispatched, Self::Parallel];
+
+    /// Its name, as in [`Row`]'s JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::Dispatched => "dispatched",
+            Self::Parallel => "parallel",
+        }
+    }
 }
 
 /// One measurement.

@@ -36,6 +36,30 @@ fn bench_measures_every_operation_on_given_pairs() {
             "{row}"
         );
     }
+    let only = ["--precision", "f32", "--path", "parallel"];
+    let report = json(&done(&[&words[..], &only].concat(), ""));
+    let rows = report["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 4);
+    for row in rows {
+        assert_eq!(
+            (&row["precision"], &row["path"]),
+            (&"f32".into(), &"parallel".into())
+        );
+    }
+}
+
+#[test]
+fn an_unknown_way_to_measure_is_refused() {
+    for (option, expected) in [
+        (
+            "--precision",
+            "unknown native precision 'fast'; nearest: f32, f64",
+        ),
+        ("--path", "unknown path 'fast'; nearest: "),
+    ] {
+        let line = refused(&["bench", "phong", option, "fast"], "");
+        assert!(line.contains(expected), "{line}");
+    }
 }
 
 #[test]

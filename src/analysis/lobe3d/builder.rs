@@ -1,7 +1,7 @@
 //! The construction of one hemisphere's mesh.
 
 use glam::DVec3;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Request, Vertex};
 use crate::analysis::lobe::{HeldLobe, Seeds};
@@ -75,10 +75,8 @@ impl<'a> Builder<'a> {
         };
         let pole = if is_upper { DVec3::Z } else { DVec3::NEG_Z };
         let ring = [DVec3::X, DVec3::Y, DVec3::NEG_X, DVec3::NEG_Y];
-        for direction in [pole].into_iter().chain(ring) {
-            let vertex = builder.vertex(direction);
-            builder.vertices.push(vertex);
-        }
+        let corners: Vec<DVec3> = [pole].into_iter().chain(ring).collect();
+        builder.vertices = builder.look(&corners);
         let mine = || {
             seeds
                 .directions
@@ -102,18 +100,22 @@ impl<'a> Builder<'a> {
             builder.halve_edges_where(|_, _, _| true);
             builder.divide_triangles();
         }
-        let seen = mine()
-            .map(|w| builder.vertex(w))
-            .chain(builder.vertices.iter().copied());
-        builder.peak = seen.map(|v| builder.shown(&v)).fold(0.0, f64::max);
+        let seen = builder.look(&mine().collect::<Vec<_>>());
+        let seen = seen.iter().chain(&builder.vertices);
+        builder.peak = seen.map(|v| builder.shown(v)).fold(0.0, f64::max);
         builder
     }
 
-    fn vertex(&self, direction: DVec3) -> Vertex {
-        Vertex {
-            direction,
-            value: self.lobe.value_or_limit(direction, self.is_upper),
-        }
+    /// The lobe's values at `directions`.
+    fn look(&self, directions: &[DVec3]) -> Vec<Vertex> {
+        let values = self.lobe.values_or_limits(directions, self.is_upper);
+        let vertices = directions.iter().zip(values);
+        vertices
+            .map(|(direction, value)| Vertex {
+                direction: *direction,
+                value,
+            })
+            .collect()
     }
 
     /// Whether the lobe is 0 in this hemisphere.
@@ -175,49 +177,59 @@ impl<'a> Builder<'a> {
 
     /// Looks at every edge not looked at before, and halves those for which `is_wanted`.
     fn halve_edges_where(&mut self, is_wanted: impl Fn(&Self, [Vertex; 2], &Vertex) -> bool) {
-        for t in 0..self.triangles.len() {
-            let Some(triangle) = self.triangles.get_mut(t).filter(|triangle| triangle.is_new)
-            else {
-                continue;
-            };
+        let mut keys = Vec::new();
+        for triangle in self.triangles.iter_mut().filter(|triangle| triangle.is_new) {
             triangle.is_new = false;
-            let corners = triangle.corners;
-            for key in sides(corners) {
-                if !self.edges.contains_key(&key) {
-                    let ends = key.map(|index| self.get(index));
-                    let edge = self.edge(ends);
-                    let is_long = (ends[0].direction - ends[1].direction).length_squared()
-                        > SHORTEST * SHORTEST;
-                    let is_split = is_long && is_wanted(self, ends, &edge.middle);
-                    self.edges.insert(key, edge);
-                    if is_split {
-                        self.halve(key);
-                    }
-                }
+            keys.extend(sides(triangle.corners));
+        }
+        for (key, ends) in self.look_at_edges(keys) {
+            let is_long =
+                (ends[0].direction - ends[1].direction).length_squared() > SHORTEST * SHORTEST;
+            let middle = self.edges.get(&key).map(|edge| edge.middle);
+            if is_long && middle.is_some_and(|middle| is_wanted(self, ends, &middle)) {
+                self.halve(key);
             }
         }
     }
 
-    fn edge(&self, [a, b]: [Vertex; 2]) -> Edge {
-        let sum = a.direction + b.direction;
-        Edge {
-            middle: self.vertex(sum.try_normalize().unwrap_or(a.direction)),
-            index: None,
+    /// Adds those edges of `keys` that are not there yet, each with the value at its middle; returns them and their ends.
+    fn look_at_edges(&mut self, mut keys: Vec<[u32; 2]>) -> Vec<([u32; 2], [Vertex; 2])> {
+        let mut is_first = FxHashSet::default();
+        keys.retain(|key| !self.edges.contains_key(key) && is_first.insert(*key));
+        let edges = keys
+            .into_iter()
+            .map(|key| (key, key.map(|index| self.get(index))));
+        let edges: Vec<_> = edges.collect();
+        let middles = edges.iter().map(|(_, [a, b])| {
+            let sum = a.direction + b.direction;
+            sum.try_normalize().unwrap_or(a.direction)
+        });
+        let middles = self.look(&middles.collect::<Vec<_>>());
+        for ((key, _), middle) in edges.iter().zip(middles) {
+            let edge = Edge {
+                middle,
+                index: None,
+            };
+            self.edges.insert(*key, edge);
+        }
+        edges
+    }
+
+    fn halve_all(&mut self, keys: Vec<[u32; 2]>) {
+        self.look_at_edges(keys.clone());
+        for key in keys {
+            self.halve(key);
         }
     }
 
+    /// Halves an edge that has been looked at.
     fn halve(&mut self, key: [u32; 2]) {
-        let ends = key.map(|index| self.get(index));
-        let mut edge = self
-            .edges
-            .get(&key)
-            .copied()
-            .unwrap_or_else(|| self.edge(ends));
-        if edge.index.is_none() {
+        if let Some(edge) = self.edges.get_mut(&key)
+            && edge.index.is_none()
+        {
             edge.index = Some(self.vertices.len() as u32);
             self.vertices.push(edge.middle);
         }
-        self.edges.insert(key, edge);
     }
 
     fn middle_of(&self, key: [u32; 2]) -> Option<u32> {
@@ -240,20 +252,16 @@ impl<'a> Builder<'a> {
     }
 
     fn halve_crowded_triangles(&mut self) {
-        let crowded: Vec<[u32; 3]> = self
+        let crowded: Vec<[u32; 2]> = self
             .triangles
             .iter()
             .filter(|t| {
                 t.seeds.len() >= SEEDS_TO_SPLIT
                     && self.longest_side(t.corners).1 > SHORTEST * SHORTEST
             })
-            .map(|t| t.corners)
+            .flat_map(|t| sides(t.corners))
             .collect();
-        for corners in crowded {
-            for key in sides(corners) {
-                self.halve(key);
-            }
-        }
+        self.halve_all(crowded);
     }
 
     /// Halves the longest edge of every triangle that has a halved edge, so that no triangle becomes a sliver.
@@ -273,9 +281,7 @@ impl<'a> Builder<'a> {
             if open.is_empty() {
                 return;
             }
-            for key in open {
-                self.halve(key);
-            }
+            self.halve_all(open);
         }
     }
 

@@ -9,6 +9,7 @@ const STRETCH: usize = 256;
 
 /// Runs `job` on `mixture`. Samples are drawn one by one: each chooses a component.
 pub(super) fn run_mixture<R: Real>(mixture: &Mixture<R>, path: Path, job: Job<'_, R::Stored>) {
+    let n = job.len();
     match job {
         Job::F { wo, wi, f } => values(mixture, path, wo, wi, f),
         Job::Pdf { wo, wi, pdf } => densities(mixture, path, wo, wi, pdf),
@@ -17,6 +18,33 @@ pub(super) fn run_mixture<R: Real>(mixture: &Mixture<R>, path: Path, job: Job<'_
             densities(mixture, path, wo, wi, pdf);
         }
         sample @ Job::Sample { .. } => run(mixture, Path::Plain, sample),
+        Job::Lobe {
+            index,
+            is_incident,
+            held,
+            u,
+            free,
+            weight,
+        } => {
+            let Some((part, index)) = mixture.lobe(index) else {
+                return;
+            };
+            let [r, g, b] = weight;
+            let inner = Job::Lobe {
+                index,
+                is_incident,
+                held,
+                u,
+                free,
+                weight: [&mut *r, &mut *g, &mut *b],
+            };
+            part.bxdf.batch(path, inner);
+            for channel in [r, g, b] {
+                for value in channel.iter_mut().take(n) {
+                    *value = (R::load(*value) * part.weight).store();
+                }
+            }
+        }
     }
 }
 

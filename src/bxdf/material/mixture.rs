@@ -128,7 +128,8 @@ impl<R: Real> Mixture<R> {
         chances.map(|chance| R::of(if sum > 0.0 { chance / sum } else { 0.0 }))
     }
 
-    fn lobe(&self, index: usize) -> Option<(&Part<R>, usize)> {
+    /// The component whose inner lobe is the mixture's at `index`, and that lobe's index there.
+    pub(super) fn lobe(&self, index: usize) -> Option<(&Part<R>, usize)> {
         let (part, inner) = *self.owners.get(index)?;
         Some((self.parts.get(part)?, inner))
     }

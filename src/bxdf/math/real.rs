@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use num_traits::{Float, FloatConst};
 use xprec::Df64;
 
-use super::special::error_function;
+use super::special::{error_function, turn};
 
 /// A floating-point type a model can be evaluated in: `f32`, `f64`, or [`Df64`] (double-double, 2 x 53 bits), which
 /// serves as the *reference*.
@@ -202,6 +202,11 @@ impl Real for f64 {
     #[inline]
     fn erf(self) -> Self {
         libm::erf(self)
+    }
+
+    #[inline(always)]
+    fn sin_cos_turn(self) -> (Self, Self) {
+        turn::sin_cos_turn(self)
     }
 
     #[inline]

@@ -211,24 +211,19 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
         let [share, _] = self.shares(wo);
-        match &self.coat {
-            None if uc < share => {
-                let [delta, _] = self.deltas(wo);
-                delta.map(|delta| delta.sample())
-            }
-            Some((normals, _)) if uc < share => sample_reflection(
-                self,
-                wo,
-                #[inline(always)]
-                |wo| normals.sample_reflection(wo, u),
-            ),
-            _ => sample_reflection(
-                self,
-                wo,
-                #[inline(always)]
-                |_| Some(warp::cosine_hemisphere(u)),
-            ),
+        if self.coat.is_none() && uc < share {
+            let [delta, _] = self.deltas(wo);
+            return delta.map(|delta| delta.sample());
         }
+        sample_reflection(
+            self,
+            wo,
+            #[inline(always)]
+            |wo| match &self.coat {
+                Some((normals, _)) if uc < share => normals.sample_reflection(wo, u),
+                _ => Some(warp::cosine_hemisphere(u)),
+            },
+        )
     }
 
     fn lobes(&self) -> &[Lobe] {
@@ -281,6 +276,7 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
         })
     }
 
+    #[inline(always)]
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
         let reflectance = fresnel::dielectric_along(w, self.eta).reflectance;
         let [share, _] = self.shares(w);

@@ -28,7 +28,7 @@ use crate::bxdf::microfacet::distribution::DISTRIBUTION;
 use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::conductor::Conductor;
-use crate::bxdf::optics::facet_fresnel::{FacetFresnel, One, Schlick};
+use crate::bxdf::optics::facet_fresnel::{AnyFresnel, FacetFresnel, One, Schlick};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, both_above, reflected_direction, sample_reflection};
 
@@ -126,38 +126,40 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 
 fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
     let spectrum = |name| Spectrum::of(params.rgb(name));
-    match params.choice("fresnel") {
-        "schlick" => build_with_fresnel(params, normals, Schlick(spectrum("f0"))),
-        "one" => build_with_fresnel(params, normals, One),
+    let fresnel = match params.choice("fresnel") {
+        "schlick" => AnyFresnel::Schlick(Schlick(spectrum("f0"))),
+        "one" => AnyFresnel::One(One),
         _ => {
             let (Spectrum(eta), Spectrum(k)) = (spectrum("eta"), spectrum("k"));
-            build_with_fresnel(params, normals, Conductor::new(eta, k))
+            AnyFresnel::Conductor(Conductor::new(eta, k))
         }
+    };
+    let masking = Masking::from_params(params);
+    match (
+        Compensation::from_params(params, &fresnel, masking),
+        fresnel,
+    ) {
+        // Loops over a table hardly vectorise: here the choice of Fresnel term costs nothing.
+        (Some(compensation), _) => boxed(normals, masking, fresnel, compensation),
+        (None, AnyFresnel::Conductor(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
+        (None, AnyFresnel::Schlick(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
+        (None, AnyFresnel::One(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
     }
 }
 
-fn build_with_fresnel<R: Real>(
-    params: &ParamSet,
+fn boxed<R: Real>(
     normals: impl Normals<R>,
+    masking: Masking,
     fresnel: impl FacetFresnel<R>,
+    compensation: impl SeveralFacets<R>,
 ) -> Box<dyn Bxdf<R>> {
-    let masking = Masking::from_params(params);
-    match Compensation::from_params(params, &fresnel, masking) {
-        None => Box::new(RoughConductor {
-            normals,
-            masking,
-            fresnel,
-            compensation: Uncompensated,
-            precision: PhantomData,
-        }),
-        Some(compensation) => Box::new(RoughConductor {
-            normals,
-            masking,
-            fresnel,
-            compensation,
-            precision: PhantomData,
-        }),
-    }
+    Box::new(RoughConductor {
+        normals,
+        masking,
+        fresnel,
+        compensation,
+        precision: PhantomData,
+    })
 }
 
 impl<R, N, F, C> RoughConductor<R, N, F, C>

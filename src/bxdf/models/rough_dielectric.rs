@@ -22,7 +22,8 @@ use crate::bxdf::microfacet::distribution::DISTRIBUTION;
 use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Delta, Deltas, Microfacet, are_across, both_above, sample_deltas};
+use crate::bxdf::unscattered::Unscattered;
+use crate::bxdf::{Microfacet, are_across, both_above};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -71,8 +72,12 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
+    let eta = R::of(params.number("eta"));
+    if eta == R::one() {
+        return Box::new(Unscattered);
+    }
     Box::new(RoughDielectric {
-        eta: R::of(params.number("eta")),
+        eta,
         normals,
         masking: Masking::from_params(params),
     })
@@ -103,11 +108,6 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         }
     }
 
-    #[inline(always)]
-    fn is_nothing(&self) -> bool {
-        self.eta == R::one()
-    }
-
     /// The facet that mirrors `wo` into `wi`.
     #[inline(always)]
     fn mirror(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
@@ -129,7 +129,7 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
     /// The facet that refracts `wo` into `wi`.
     #[inline(always)]
     fn refractor(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
-        if !are_across(wo, wi) || self.is_nothing() {
+        if !are_across(wo, wi) {
             return None;
         }
         let (e, e_minus_1) = self.index_across(wo);
@@ -227,13 +227,13 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         let share = fresnel::dielectric_with_sine(cos, tangent.length_squared(), e);
         if is_reflected(share.reflectance) {
             let wi = wh * (R::of(2.0) * cos) - wo;
-            (wi.z > R::zero()).then_some(wi)
+            if wi.z > R::zero() { Some(wi) } else { None }
         } else if share.transmittance <= R::zero() {
             None
         } else {
             // Through an index below 1 the tangent is stretched, and the rounding of wo with it.
             let (wi, _) = (-(tangent * (R::one() / e)) - wh * share.cos_t).unit_and_length()?;
-            (wi.z < R::zero()).then_some(wi)
+            if wi.z < R::zero() { Some(wi) } else { None }
         }
     }
 }
@@ -265,10 +265,12 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        if self.is_nothing() {
-            return sample_deltas(self.deltas(wo), uc);
-        }
-        let wi = self.draw(wo, u, |reflectance| uc < reflectance)?;
+        let wi = self.draw(
+            wo,
+            u,
+            #[inline(always)]
+            |reflectance| uc < reflectance,
+        )?;
         let sample = Sample {
             wi,
             f: self.f(wo, wi),
@@ -299,7 +301,12 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
 
     #[inline(always)]
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        self.draw(wo, u, |_| index == 0)
+        self.draw(
+            wo,
+            u,
+            #[inline(always)]
+            |_| index == 0,
+        )
     }
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
@@ -309,20 +316,6 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
             g: self.normals.g2(facet.wo, facet.wi, self.masking),
             fresnel: Spectrum::grey(facet.share),
         })
-    }
-
-    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        let straight = Delta {
-            direction: -w,
-            flux: Spectrum::grey(R::one()),
-            weight: Spectrum::grey(R::one()),
-            probability: R::one(),
-            side: Side::Transmission,
-        };
-        [
-            (self.is_nothing() && w.z != R::zero()).then_some(straight),
-            None,
-        ]
     }
 }
 

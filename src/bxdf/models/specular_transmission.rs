@@ -70,6 +70,7 @@ impl<R: Real> Bxdf<R> for SpecularTransmission<R> {
         sample_deltas(self.deltas(wo), uc)
     }
 
+    #[inline(always)]
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
         let e = if w.z > R::zero() {
             self.eta

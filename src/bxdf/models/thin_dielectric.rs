@@ -71,6 +71,7 @@ impl<R: Real> Bxdf<R> for ThinDielectric<R> {
         sample_deltas(self.deltas(wo), uc)
     }
 
+    #[inline(always)]
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
         if w.z == R::zero() {
             return [None, None];

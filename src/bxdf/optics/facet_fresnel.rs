@@ -67,3 +67,33 @@ impl<R: Real> FacetFresnel<R> for One {
         Spectrum::grey(R::one())
     }
 }
+
+/// One of them, chosen when the program runs.
+#[derive(Clone, Copy, Debug)]
+pub enum AnyFresnel<R> {
+    /// Exactly.
+    Conductor(Conductor<R>),
+    /// By Schlick's approximation.
+    Schlick(Schlick<R>),
+    /// All light.
+    One(One),
+}
+
+impl<R: Real> FacetFresnel<R> for AnyFresnel<R> {
+    #[inline(always)]
+    fn at(&self, cos_d: R) -> Spectrum<R> {
+        match self {
+            Self::Conductor(exact) => exact.at(cos_d),
+            Self::Schlick(schlick) => schlick.at(cos_d),
+            Self::One(one) => one.at(cos_d),
+        }
+    }
+
+    fn mean(&self) -> Spectrum<R> {
+        match self {
+            Self::Conductor(exact) => exact.mean(),
+            Self::Schlick(schlick) => schlick.mean(),
+            Self::One(one) => FacetFresnel::<R>::mean(one),
+        }
+    }
+}

@@ -2,3 +2,4 @@
 
 pub mod error_function;
 pub mod polynomial;
+pub mod turn;

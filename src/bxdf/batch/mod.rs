@@ -8,9 +8,12 @@
 use fearless_simd::{Level, Simd};
 use fearless_simd_macros::simd;
 
-use super::math::{Real, Vec3};
-use super::optics::Spectrum;
-use super::{Bxdf, Sample};
+use kernels::{BLOCK, Block, Densities, Kernel, LobeSamples, Samples, Values};
+
+use super::Bxdf;
+use super::math::Real;
+
+mod kernels;
 
 /// Many directions: their components along s, t and n. The slices are of one length.
 pub type Directions<'a, R> = [&'a [R]; 3];
@@ -67,6 +70,64 @@ pub enum Job<'a, R> {
         /// 1 where the direction is that of a Dirac delta, else 0.
         delta: &'a mut [R],
     },
+    /// Directions of one lobe alone, as [`Bxdf::sample_lobe`] draws them, and what an integral over the lobe sums there.
+    Lobe {
+        /// The lobe: an index of [`Bxdf::lobes`].
+        index: usize,
+        /// Whether the directions held are those of incidence; the lobe is drawn for them in the place of `wo`.
+        is_incident: bool,
+        /// The directions held.
+        held: Directions<'a, R>,
+        /// The numbers that choose a direction, in [0, 1).
+        u: [&'a [R]; 2],
+        /// The directions drawn; 0 where there is none.
+        free: TripleMut<'a, R>,
+        /// The lobe's f |cos(theta)| / pdf, theta being that of the direction drawn; 0 where there is none.
+        weight: TripleMut<'a, R>,
+    },
+}
+
+impl<R> Job<'_, R> {
+    /// The number of elements: the length of the shortest slice.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        let shortest = |given: &[&[R]], out: &[&mut [R]]| {
+            let given = given.iter().map(|slice| slice.len());
+            let lengths = given.chain(out.iter().map(|slice| slice.len()));
+            lengths.min().unwrap_or(0)
+        };
+        match self {
+            Self::F { wo, wi, f } => shortest(&pairs(*wo, *wi), f),
+            Self::Pdf { wo, wi, pdf } => shortest(&pairs(*wo, *wi), &[]).min(pdf.len()),
+            Self::FPdf { wo, wi, f, pdf } => shortest(&pairs(*wo, *wi), f).min(pdf.len()),
+            Self::Sample {
+                wo: [x, y, z],
+                uc,
+                u: [u, v],
+                wi,
+                f,
+                pdf,
+                delta,
+            } => {
+                let written = shortest(&[], wi).min(shortest(&[], f));
+                let numbers = shortest(&[x, y, z, uc, u, v], &[]);
+                written.min(numbers).min(pdf.len()).min(delta.len())
+            }
+            Self::Lobe {
+                held: [x, y, z],
+                u: [u, v],
+                free,
+                weight,
+                ..
+            } => shortest(&[x, y, z, u, v], free).min(shortest(&[], weight)),
+        }
+    }
+
+    /// Whether there is nothing to compute.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
 }
 
 /// For which instruction set a batch is compiled.
@@ -84,14 +145,14 @@ pub(in crate::bxdf) fn run<R: Real, B: Bxdf<R> + ?Sized>(
     path: Path,
     job: Job<'_, R::Stored>,
 ) {
-    let vectorises = match job {
-        Job::Sample { .. } => R::FUNCTIONS_VECTORISE,
-        _ => R::VECTORISES,
-    };
-    if vectorises && path == Path::Dispatched {
-        dispatch(bxdf, job);
-    } else {
-        work(bxdf, job);
+    match job {
+        // One after the other: each loop is short enough to vectorise.
+        Job::FPdf { wo, wi, f, pdf } => {
+            run(bxdf, path, Job::F { wo, wi, f });
+            run(bxdf, path, Job::Pdf { wo, wi, pdf });
+        }
+        job if R::VECTORISES && path == Path::Dispatched => dispatch(bxdf, job),
+        job => work(bxdf, job),
     }
 }
 
@@ -124,33 +185,13 @@ fn work_with<S: Simd, R: Real, B: Bxdf<R> + ?Sized>(_: S, bxdf: &B, job: Job<'_,
     work(bxdf, job);
 }
 
-/// Elements that are worked on at a time: the results stay in the fastest cache.
-const BLOCK: usize = 64;
-
-/// A block of one component.
-type Block<R> = [R; BLOCK];
-
-/// What a block's numbers are turned into. A type rather than a closure: the call of its function is always inlined.
-trait Kernel<R: Real, const M: usize, const N: usize> {
-    fn block<B: Bxdf<R> + ?Sized>(
-        bxdf: &B,
-        given: [&Block<R::Stored>; M],
-        out: [&mut Block<R::Stored>; N],
-    );
-}
-
 #[inline(always)]
 fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
     match job {
-        Job::F { wo, wi, f } => in_blocks::<Values, R, _, 6, 3>(bxdf, pairs(wo, wi), f),
-        Job::Pdf { wo, wi, pdf } => {
-            in_blocks::<Densities, R, _, 6, 1>(bxdf, pairs(wo, wi), [pdf]);
-        }
-        // One after the other: each loop is short enough to vectorise.
-        Job::FPdf { wo, wi, f, pdf } => {
-            in_blocks::<Values, R, _, 6, 3>(bxdf, pairs(wo, wi), f);
-            in_blocks::<Densities, R, _, 6, 1>(bxdf, pairs(wo, wi), [pdf]);
-        }
+        Job::F { wo, wi, f } => in_blocks(&Values, bxdf, pairs(wo, wi), f),
+        Job::Pdf { wo, wi, pdf } => in_blocks(&Densities, bxdf, pairs(wo, wi), [pdf]),
+        // Taken apart by `run`.
+        Job::FPdf { .. } => {}
         Job::Sample {
             wo,
             uc,
@@ -163,7 +204,20 @@ fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
             let ([x, y, z], [u, v]) = (wo, u);
             let ([ix, iy, iz], [r, g, b]) = (wi, f);
             let out = [ix, iy, iz, r, g, b, pdf, delta];
-            in_blocks::<Samples, R, _, 6, 8>(bxdf, [x, y, z, uc, u, v], out);
+            in_blocks(&Samples, bxdf, [x, y, z, uc, u, v], out);
+        }
+        Job::Lobe {
+            index,
+            is_incident,
+            held,
+            u,
+            free,
+            weight,
+        } => {
+            let ([x, y, z], [u, v]) = (held, u);
+            let ([fx, fy, fz], [r, g, b]) = (free, weight);
+            let kernel = LobeSamples { index, is_incident };
+            in_blocks(&kernel, bxdf, [x, y, z, u, v], [fx, fy, fz, r, g, b]);
         }
     }
 }
@@ -172,9 +226,10 @@ fn pairs<'a, R>([ox, oy, oz]: Directions<'a, R>, [ix, iy, iz]: Directions<'a, R>
     [ox, oy, oz, ix, iy, iz]
 }
 
-/// Applies the kernel `K` for `bxdf` to `M` slices, block by block, and hands its results to the slices `out`.
+/// Applies `kernel` for `bxdf` to `M` slices, block by block, and hands its results to the slices `out`.
 #[inline(always)]
 fn in_blocks<K, R, B, const M: usize, const N: usize>(
+    kernel: &K,
     bxdf: &B,
     given: [&[R::Stored]; M],
     mut out: [&mut [R::Stored]; N],
@@ -212,7 +267,7 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
                 *block = whole;
             }
         }
-        K::block(bxdf, blocks, results);
+        kernel.block(bxdf, blocks, results);
         start += BLOCK;
     }
     // The last block, where it is not whole, was written beside the slices.
@@ -223,123 +278,4 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
             .zip(block)
             .for_each(|(to, from)| *to = *from);
     }
-}
-
-/// The value of each pair.
-struct Values;
-
-impl<R: Real> Kernel<R, 6, 3> for Values {
-    #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
-        bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
-        [r, g, b]: [&mut Block<R::Stored>; 3],
-    ) {
-        values(bxdf, [ox, oy, oz], [ix, iy, iz], r, g, b);
-    }
-}
-
-/// Each block that is written is an argument of its own: so the compiler knows that no two of them overlap.
-#[inline(always)]
-fn values<R: Real, B: Bxdf<R> + ?Sized>(
-    bxdf: &B,
-    wo: [&Block<R::Stored>; 3],
-    wi: [&Block<R::Stored>; 3],
-    r: &mut Block<R::Stored>,
-    g: &mut Block<R::Stored>,
-    b: &mut Block<R::Stored>,
-) {
-    let out = r.iter_mut().zip(g).zip(b);
-    for ((wo, wi), ((r, g), b)) in directions(wo).zip(directions(wi)).zip(out) {
-        let Spectrum(f) = bxdf.f(wo, wi);
-        [*r, *g, *b] = f.map(R::store);
-    }
-}
-
-/// The density of each pair.
-struct Densities;
-
-impl<R: Real> Kernel<R, 6, 1> for Densities {
-    #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
-        bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
-        [pdf]: [&mut Block<R::Stored>; 1],
-    ) {
-        let (wo, wi) = (directions([ox, oy, oz]), directions([ix, iy, iz]));
-        for ((wo, wi), pdf) in wo.zip(wi).zip(pdf) {
-            *pdf = bxdf.pdf(wo, wi).store();
-        }
-    }
-}
-
-/// A sample for each direction.
-struct Samples;
-
-impl<R: Real> Kernel<R, 6, 8> for Samples {
-    #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
-        bxdf: &B,
-        [ox, oy, oz, uc, u, v]: [&Block<R::Stored>; 6],
-        [x, y, z, r, g, b, pdf, delta]: [&mut Block<R::Stored>; 8],
-    ) {
-        samples(bxdf, [ox, oy, oz], [uc, u, v], x, y, z, r, g, b, pdf, delta);
-    }
-}
-
-/// As for [`values`].
-#[allow(clippy::too_many_arguments)]
-#[inline(always)]
-fn samples<R: Real, B: Bxdf<R> + ?Sized>(
-    bxdf: &B,
-    wo: [&Block<R::Stored>; 3],
-    [uc, u, v]: [&Block<R::Stored>; 3],
-    x: &mut Block<R::Stored>,
-    y: &mut Block<R::Stored>,
-    z: &mut Block<R::Stored>,
-    r: &mut Block<R::Stored>,
-    g: &mut Block<R::Stored>,
-    b: &mut Block<R::Stored>,
-    pdf: &mut Block<R::Stored>,
-    delta: &mut Block<R::Stored>,
-) {
-    let numbers = uc.iter().zip(u).zip(v);
-    let values = r.iter_mut().zip(g).zip(b);
-    let out = x
-        .iter_mut()
-        .zip(y)
-        .zip(z)
-        .zip(values)
-        .zip(pdf.iter_mut().zip(delta));
-    for ((wo, ((uc, u), v)), out) in directions::<R>(wo).zip(numbers).zip(out) {
-        let ((((x, y), z), ((r, g), b)), (pdf, delta)) = out;
-        let zero = R::zero();
-        // No sample is a sample of nothing: every element is written, whatever was drawn.
-        let sample = match bxdf.sample_f(wo, R::load(*uc), [R::load(*u), R::load(*v)]) {
-            Some(sample) => sample,
-            None => Sample {
-                wi: Vec3::new(zero, zero, zero),
-                f: Spectrum::black(),
-                pdf: zero,
-                is_delta: false,
-            },
-        };
-        (*x, *y, *z) = (
-            sample.wi.x.store(),
-            sample.wi.y.store(),
-            sample.wi.z.store(),
-        );
-        [*r, *g, *b] = sample.f.0.map(R::store);
-        *pdf = sample.pdf.store();
-        *delta = if sample.is_delta { R::one() } else { zero }.store();
-    }
-}
-
-/// The directions of a block.
-#[inline(always)]
-fn directions<R: Real>([x, y, z]: [&Block<R::Stored>; 3]) -> impl Iterator<Item = Vec3<R>> {
-    x.iter()
-        .zip(y)
-        .zip(z)
-        .map(|((x, y), z)| Vec3::new(R::load(*x), R::load(*y), R::load(*z)))
 }

@@ -1,0 +1,214 @@
+//! What a batch computes for a block of elements.
+
+use crate::bxdf::math::{Real, Vec3};
+use crate::bxdf::optics::Spectrum;
+use crate::bxdf::{Bxdf, Sample};
+
+/// Elements that are worked on at a time: the results stay in the fastest cache.
+pub(super) const BLOCK: usize = 64;
+
+/// A block of one component.
+pub(super) type Block<R> = [R; BLOCK];
+
+/// What a block's numbers are turned into. A type rather than a closure: the call of its function is always inlined.
+pub(super) trait Kernel<R: Real, const M: usize, const N: usize> {
+    /// Computes a block.
+    fn block<B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        given: [&Block<R::Stored>; M],
+        out: [&mut Block<R::Stored>; N],
+    );
+}
+
+/// The value of each pair.
+pub(super) struct Values;
+
+impl<R: Real> Kernel<R, 6, 3> for Values {
+    #[inline(always)]
+    fn block<B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
+        [r, g, b]: [&mut Block<R::Stored>; 3],
+    ) {
+        values(bxdf, [ox, oy, oz], [ix, iy, iz], r, g, b);
+    }
+}
+
+/// Each block that is written is an argument of its own: so the compiler knows that no two of them overlap.
+#[inline(always)]
+fn values<R: Real, B: Bxdf<R> + ?Sized>(
+    bxdf: &B,
+    wo: [&Block<R::Stored>; 3],
+    wi: [&Block<R::Stored>; 3],
+    r: &mut Block<R::Stored>,
+    g: &mut Block<R::Stored>,
+    b: &mut Block<R::Stored>,
+) {
+    let out = r.iter_mut().zip(g).zip(b);
+    for ((wo, wi), ((r, g), b)) in directions(wo).zip(directions(wi)).zip(out) {
+        let Spectrum(f) = bxdf.f(wo, wi);
+        [*r, *g, *b] = f.map(R::store);
+    }
+}
+
+/// The density of each pair.
+pub(super) struct Densities;
+
+impl<R: Real> Kernel<R, 6, 1> for Densities {
+    #[inline(always)]
+    fn block<B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
+        [pdf]: [&mut Block<R::Stored>; 1],
+    ) {
+        let (wo, wi) = (directions([ox, oy, oz]), directions([ix, iy, iz]));
+        for ((wo, wi), pdf) in wo.zip(wi).zip(pdf) {
+            *pdf = bxdf.pdf(wo, wi).store();
+        }
+    }
+}
+
+/// A sample for each direction.
+pub(super) struct Samples;
+
+impl<R: Real> Kernel<R, 6, 8> for Samples {
+    #[inline(always)]
+    fn block<B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        [ox, oy, oz, uc, u, v]: [&Block<R::Stored>; 6],
+        [x, y, z, r, g, b, pdf, delta]: [&mut Block<R::Stored>; 8],
+    ) {
+        samples(bxdf, [ox, oy, oz], [uc, u, v], x, y, z, r, g, b, pdf, delta);
+    }
+}
+
+/// As for [`values`].
+#[allow(clippy::too_many_arguments)]
+#[inline(always)]
+fn samples<R: Real, B: Bxdf<R> + ?Sized>(
+    bxdf: &B,
+    wo: [&Block<R::Stored>; 3],
+    [uc, u, v]: [&Block<R::Stored>; 3],
+    x: &mut Block<R::Stored>,
+    y: &mut Block<R::Stored>,
+    z: &mut Block<R::Stored>,
+    r: &mut Block<R::Stored>,
+    g: &mut Block<R::Stored>,
+    b: &mut Block<R::Stored>,
+    pdf: &mut Block<R::Stored>,
+    delta: &mut Block<R::Stored>,
+) {
+    let numbers = uc.iter().zip(u).zip(v);
+    let values = r.iter_mut().zip(g).zip(b);
+    let out = x
+        .iter_mut()
+        .zip(y)
+        .zip(z)
+        .zip(values)
+        .zip(pdf.iter_mut().zip(delta));
+    for ((wo, ((uc, u), v)), out) in directions::<R>(wo).zip(numbers).zip(out) {
+        let ((((x, y), z), ((r, g), b)), (pdf, delta)) = out;
+        let zero = R::zero();
+        // No sample is a sample of nothing: every element is written, whatever was drawn.
+        let sample = match bxdf.sample_f(wo, R::load(*uc), [R::load(*u), R::load(*v)]) {
+            Some(sample) => sample,
+            None => Sample {
+                wi: Vec3::new(zero, zero, zero),
+                f: Spectrum::black(),
+                pdf: zero,
+                is_delta: false,
+            },
+        };
+        (*x, *y, *z) = (
+            sample.wi.x.store(),
+            sample.wi.y.store(),
+            sample.wi.z.store(),
+        );
+        [*r, *g, *b] = sample.f.0.map(R::store);
+        *pdf = sample.pdf.store();
+        *delta = if sample.is_delta { R::one() } else { zero }.store();
+    }
+}
+
+/// A direction of one lobe for each that is held, with its weight.
+pub(super) struct LobeSamples {
+    pub(super) index: usize,
+    pub(super) is_incident: bool,
+}
+
+impl<R: Real> Kernel<R, 5, 6> for LobeSamples {
+    #[inline(always)]
+    fn block<B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        [hx, hy, hz, u, v]: [&Block<R::Stored>; 5],
+        [x, y, z, r, g, b]: [&mut Block<R::Stored>; 6],
+    ) {
+        self.weights(bxdf, [hx, hy, hz], [u, v], x, y, z, r, g, b);
+    }
+}
+
+impl LobeSamples {
+    /// As for [`values`].
+    #[allow(clippy::too_many_arguments)]
+    #[inline(always)]
+    fn weights<R: Real, B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        held: [&Block<R::Stored>; 3],
+        [u, v]: [&Block<R::Stored>; 2],
+        x: &mut Block<R::Stored>,
+        y: &mut Block<R::Stored>,
+        z: &mut Block<R::Stored>,
+        r: &mut Block<R::Stored>,
+        g: &mut Block<R::Stored>,
+        b: &mut Block<R::Stored>,
+    ) {
+        let out = x.iter_mut().zip(y).zip(z).zip(r.iter_mut().zip(g).zip(b));
+        for ((held, (u, v)), out) in directions::<R>(held).zip(u.iter().zip(v)).zip(out) {
+            let (((x, y), z), ((r, g), b)) = out;
+            let (free, Spectrum(weight)) = self.drawn(bxdf, held, [R::load(*u), R::load(*v)]);
+            (*x, *y, *z) = (free.x.store(), free.y.store(), free.z.store());
+            [*r, *g, *b] = weight.map(R::store);
+        }
+    }
+
+    #[inline(always)]
+    fn drawn<R: Real, B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        held: Vec3<R>,
+        u: [R; 2],
+    ) -> (Vec3<R>, Spectrum<R>) {
+        let zero = R::zero();
+        let nothing = (Vec3::new(zero, zero, zero), Spectrum::black());
+        let Some(free) = bxdf.sample_lobe(self.index, held, u) else {
+            return nothing;
+        };
+        let pdf = bxdf.lobe_pdf(self.index, held, free);
+        let (wo, wi) = if self.is_incident {
+            (free, held)
+        } else {
+            (held, free)
+        };
+        let f = bxdf.lobe_f(self.index, wo, wi);
+        if pdf > zero {
+            (free, f * (free.z.abs() / pdf))
+        } else {
+            nothing
+        }
+    }
+}
+
+/// The directions of a block.
+#[inline(always)]
+fn directions<R: Real>([x, y, z]: [&Block<R::Stored>; 3]) -> impl Iterator<Item = Vec3<R>> {
+    x.iter()
+        .zip(y)
+        .zip(z)
+        .map(|((x, y), z)| Vec3::new(R::load(*x), R::load(*y), R::load(*z)))
+}
