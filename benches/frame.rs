@@ -18,7 +18,8 @@ type Gesture = fn(&mut Session, f64) -> Result<()>;
 
 fn main() -> Result<()> {
     let alpha: Gesture = |session, t| {
-        session.material = format!("rough_conductor:alpha_x={}", 0.1 + 0.8 * t).parse()?;
+        session.materials.selected_mut().material =
+            format!("rough_conductor:alpha_x={}", 0.1 + 0.8 * t).parse()?;
         Ok(())
     };
     let theta: Gesture = |session, t| {
@@ -42,10 +43,7 @@ fn main() -> Result<()> {
 
 /// Steps the window `FRAMES` times, taking the session through `gesture`.
 fn measure(name: &str, material: &str, gesture: Gesture) -> Result<()> {
-    let session = Session {
-        material: material.parse()?,
-        ..Session::default()
-    };
+    let session = Session::of(material.parse()?);
     let mut harness: Harness<'_, App> = Harness::builder()
         .with_size(egui::vec2(1280.0, 800.0))
         .with_max_steps(32)

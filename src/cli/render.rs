@@ -22,7 +22,7 @@ pub struct Arguments {
     /// The session to start from
     #[arg(long, value_name = "FILE")]
     session: Option<PathBuf>,
-    /// The material to show: id of a model or named material, id:name=value,name=value, or a .toml file
+    /// A material to show, may be given several times: id of a model or named material, id:name=value,name=value, or a .toml file
     #[arg(long = "material", value_name = "MATERIAL", value_parser = args::material)]
     materials: Vec<Given>,
     /// The direction held while the lobe is drawn over the other: wi or wo
@@ -166,7 +166,7 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
 /// The session to draw: the file's or the start, changed by what else was asked for.
 #[cfg(feature = "gui")]
 fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
-    use crate::ui::session::{Session, wrapped_deg};
+    use crate::ui::session::{Materials, Session, wrapped_deg};
 
     let mut session = match &request.session {
         None => Session::default(),
@@ -175,16 +175,8 @@ fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
             Session::from_toml(&text, &path.display().to_string())?
         }
     };
-    match request.materials.as_slice() {
-        [] => {}
-        [material] => session.material = material.clone(),
-        several => {
-            return Err(Error::Limit {
-                what: "the number of materials in one picture",
-                value: several.len().to_string(),
-                limit: "1".to_owned(),
-            });
-        }
+    if !request.materials.is_empty() {
+        session.materials = Materials::new(request.materials.clone())?;
     }
     if let Some(hold) = request.hold {
         session.hold = hold;

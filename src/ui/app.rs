@@ -1,19 +1,15 @@
 //! The window: panels around the views.
 
-use egui::{CentralPanel, Panel, RichText, ScrollArea, ThemePreference, Ui};
+use egui::{CentralPanel, Panel, RichText, ScrollArea, Ui};
 
 use super::data::{Clock, Data};
 use super::scene3d;
-use super::session::{Curves, DECADES, Session};
+use super::session::Session;
 use super::theme::{self, Palette};
 use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
 use super::widgets::components::Components;
 use super::widgets::picker::Picker;
-use super::widgets::{directions, status};
-use crate::analysis::RadialScale;
-
-/// The line that says what to try first.
-const FIRST_STEP: &str = "Try this: drag the round handle of the light, then pick another kind of reflection on the left";
+use super::widgets::{directions, options, status};
 
 /// The application.
 pub struct App {
@@ -43,7 +39,7 @@ impl App {
             scene3d::init(render_state);
         }
         // Without a clock nothing is timed: pictures and tests need no frames to wait for.
-        let picker = Picker::new(&session.material, clock.is_none());
+        let picker = Picker::new(session.material(), clock.is_none());
         Self {
             session,
             data: Data::new(clock),
@@ -68,7 +64,8 @@ impl App {
 
     fn show_side(&mut self, ui: &mut Ui) {
         ui.add_space(4.0);
-        self.picker.show(ui, &mut self.session.material);
+        let entry = self.session.materials.selected_mut();
+        self.picker.show(ui, entry);
         ui.separator();
         ScrollArea::vertical()
             .id_salt("parameters")
@@ -76,7 +73,8 @@ impl App {
             .show(ui, |ui| {
                 // The scroll bar must not lie over the reset buttons.
                 ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
-                self.components.show(ui, &mut self.session.material);
+                let entry = self.session.materials.selected_mut();
+                self.components.show(ui, &mut entry.material);
                 ui.add_space(4.0);
             });
     }
@@ -100,7 +98,7 @@ impl eframe::App for App {
             CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
             return;
         }
-        self.data.begin_frame();
+        self.data.begin_frame(&self.session);
         self.state.begin_frame();
         let before = self.cursor.take();
         if let Some(view) = self.only {
@@ -110,9 +108,11 @@ impl eframe::App for App {
                 .show(ui, |ui| self.show_view(ui, view, &palette));
             return;
         }
-        Panel::top("top").show(ui, |ui| display_options(ui, &mut self.session));
+        Panel::top("top").show(ui, |ui| options::show(ui, &mut self.session));
         Panel::bottom("status").show(ui, |ui| {
-            let shares = self.data.shares(&self.session);
+            let shares = self
+                .data
+                .shares(&self.session, self.session.materials.selected());
             // Panels are drawn before the views: the line shows the pointer of the frame before.
             status::show(
                 ui,
@@ -135,82 +135,5 @@ impl eframe::App for App {
         if self.cursor != before {
             ui.ctx().request_repaint();
         }
-    }
-}
-
-/// The bar at the top: what to try first, and how values are drawn in all views.
-fn display_options(ui: &mut Ui, session: &mut Session) {
-    ui.horizontal(|ui| {
-        ui.label(RichText::new("BRDF Explorer").heading());
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            theme_choice(ui);
-            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                ui.add(egui::Label::new(RichText::new(FIRST_STEP).weak()).truncate());
-            });
-        });
-    });
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Radius");
-        let mut is_logarithmic = session.scale.is_logarithmic();
-        ui.selectable_value(&mut is_logarithmic, false, "Linear")
-            .on_hover_text("Lengths in proportion to f");
-        ui.selectable_value(&mut is_logarithmic, true, "Logarithmic")
-            .on_hover_text("Lengths by decades below the peak: shows the tails of a narrow lobe");
-        if is_logarithmic != session.scale.is_logarithmic() {
-            session.scale = if is_logarithmic {
-                RadialScale::Logarithmic { decades: DECADES }
-            } else {
-                RadialScale::Linear
-            };
-        }
-        ui.checkbox(&mut session.with_cosine, "Times cos θ")
-            .on_hover_text(
-                "Show f |cos θ| of the free direction: the flux, rather than the radiance",
-            );
-        ui.separator();
-        ui.label("Curves");
-        ui.selectable_value(&mut session.curves, Curves::Luminance, "Luminance");
-        ui.selectable_value(&mut session.curves, Curves::Rgb, "R, G, B");
-        ui.separator();
-        ui.label("Section");
-        section(ui, session);
-    });
-}
-
-/// Dark, light, or as the system has it.
-fn theme_choice(ui: &mut Ui) {
-    let mut preference = ui.options(|options| options.theme_preference);
-    for (choice, name) in [
-        (ThemePreference::System, "System"),
-        (ThemePreference::Light, "Light"),
-        (ThemePreference::Dark, "Dark"),
-    ] {
-        let response = ui.selectable_value(&mut preference, choice, name);
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label(format!("{name} theme")));
-    }
-    ui.label("Theme");
-    ui.ctx().set_theme(preference);
-}
-
-fn section(ui: &mut Ui, session: &mut Session) {
-    let mut is_free = session.section_phi_deg.is_some();
-    ui.selectable_value(&mut is_free, false, "Incidence plane")
-        .on_hover_text("The polar plot cuts the lobe along the plane of the held direction and n");
-    ui.selectable_value(&mut is_free, true, "Azimuth")
-        .on_hover_text("The polar plot cuts the lobe along any azimuth");
-    match (is_free, session.section_phi_deg) {
-        (true, None) => session.section_phi_deg = Some(session.section_azimuth_deg()),
-        (false, Some(_)) => session.section_phi_deg = None,
-        _ => {}
-    }
-    if let Some(phi) = &mut session.section_phi_deg {
-        let field = egui::DragValue::new(phi)
-            .range(-90.0..=90.0)
-            .suffix("°")
-            .speed(1.0);
-        let response = ui.add(field).on_hover_text("Azimuth of the section from s");
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label("Section azimuth"));
     }
 }

@@ -39,6 +39,22 @@ impl<K: PartialEq, V> Memo<K, V> {
     }
 }
 
+/// A computed value as a part of a key: equal to itself alone, so that it need not be compared.
+#[derive(Debug)]
+pub struct Same<T>(pub Arc<T>);
+
+impl<T> Clone for Same<T> {
+    fn clone(&self) -> Self {
+        Self(Arc::clone(&self.0))
+    }
+}
+
+impl<T> PartialEq for Same<T> {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -51,5 +67,12 @@ mod tests {
         assert_eq!(memo.version(), 1);
         assert_eq!(*memo.get(2, || "two"), "two");
         assert_eq!(memo.version(), 2);
+    }
+
+    #[test]
+    fn a_value_is_the_same_as_itself_alone() {
+        let one = Arc::new(1);
+        assert!(Same(Arc::clone(&one)) == Same(one));
+        assert!(Same(Arc::new(1)) != Same(Arc::new(1)));
     }
 }

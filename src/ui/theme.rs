@@ -3,6 +3,7 @@
 use egui::{Color32, FontFamily, FontId, TextStyle, Theme, Vec2};
 
 use super::scene3d::Rgba;
+use super::session::Slot;
 use crate::analysis::{Channel, Hold};
 use crate::bxdf::Category;
 
@@ -30,6 +31,14 @@ pub const THUMBNAIL_SIZE: f32 = 36.0;
 pub const SHARE_BAR: Vec2 = Vec2::new(120.0, 12.0);
 /// The size of a sample of a colour in a legend, in points.
 pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
+/// The height of a row of a legend, in points.
+pub const LEGEND_ROW: f32 = 17.0;
+/// The length of a sample of a line, in points.
+pub const LINE_SAMPLE: f32 = 24.0;
+/// Lengths of a dash and of the gap after it, in points.
+pub const DASH: [f32; 2] = [7.0, 4.5];
+/// The distance between the dots of a dotted line and their radius, in points.
+pub const DOTS: [f32; 2] = [5.0, 1.4];
 /// The distance between the lines of a hatch, in points.
 pub const HATCH_STEP: f32 = 5.0;
 /// The width of the lines of a hatch, in points.
@@ -46,6 +55,7 @@ const FILL_ALPHA: u8 = 30;
 /// The colour-blind-safe colours of Okabe & Ito 2008 ("Color Universal Design").
 mod okabe_ito {
     pub const ORANGE: [u8; 3] = [230, 159, 0];
+    pub const YELLOW: [u8; 3] = [240, 228, 66];
     pub const SKY_BLUE: [u8; 3] = [86, 180, 233];
     pub const GREEN: [u8; 3] = [0, 158, 115];
     pub const BLUE: [u8; 3] = [0, 114, 178];
@@ -66,16 +76,14 @@ pub struct Palette {
     pub grid: Color32,
     /// The horizon and the axes.
     pub axis: Color32,
-    /// The curve of the first material.
-    pub lobe: Color32,
+    /// The materials, in the order in which their places are taken.
+    materials: [Color32; 7],
     /// The held direction where the light is held.
     pub light: Color32,
     /// The held direction where the viewer is held.
     pub viewer: Color32,
     /// The mirror direction.
     pub mirror: Color32,
-    /// Dirac deltas.
-    pub delta: Color32,
     /// Theta, phi and the projection.
     pub geometry: Color32,
     /// The translucent dome.
@@ -122,11 +130,18 @@ impl Palette {
             faint_ink: grey(160),
             grid: rgb([58, 62, 70]),
             axis: grey(140),
-            lobe: rgb(okabe_ito::SKY_BLUE),
+            materials: [
+                rgb(okabe_ito::SKY_BLUE),
+                rgb([240, 120, 40]),
+                rgb([20, 185, 140]),
+                rgb([226, 150, 192]),
+                rgb(okabe_ito::YELLOW),
+                rgb([60, 140, 220]),
+                rgb(okabe_ito::ORANGE),
+            ],
             light: rgb(okabe_ito::ORANGE),
             viewer: rgb([120, 210, 150]),
             mirror: rgb(okabe_ito::PURPLE),
-            delta: rgb([255, 120, 40]),
             geometry: rgb([240, 228, 66]),
             dome: [200, 210, 230, 14],
             ground: [150, 160, 180, 40],
@@ -151,11 +166,18 @@ impl Palette {
             faint_ink: grey(95),
             grid: grey(214),
             axis: grey(120),
-            lobe: rgb(okabe_ito::BLUE),
+            materials: [
+                rgb(okabe_ito::BLUE),
+                rgb(okabe_ito::VERMILION),
+                rgb([0, 136, 100]),
+                rgb([180, 85, 140]),
+                rgb([140, 118, 0]),
+                rgb([40, 140, 200]),
+                rgb([190, 120, 0]),
+            ],
             light: rgb([196, 120, 0]),
             viewer: rgb([0, 128, 80]),
             mirror: rgb([160, 70, 125]),
-            delta: rgb(okabe_ito::VERMILION),
             geometry: rgb([150, 110, 0]),
             dome: [90, 110, 150, 20],
             ground: [110, 120, 140, 44],
@@ -194,14 +216,46 @@ impl Palette {
         }
     }
 
-    /// The colour of a channel's curve.
+    /// The colour of a material.
     #[must_use]
-    pub fn channel(&self, channel: Channel) -> Color32 {
+    pub fn material(&self, slot: Slot) -> Color32 {
+        let [first, ..] = self.materials;
+        let mut colors = self.materials.iter().copied().cycle();
+        colors.nth(usize::from(slot.0)).unwrap_or(first)
+    }
+
+    /// The colour of a channel's curve; the luminance has that of its material.
+    #[must_use]
+    pub fn channel(&self, channel: Channel, slot: Slot) -> Color32 {
         match channel {
-            Channel::Luminance => self.lobe,
+            Channel::Luminance => self.material(slot),
             Channel::Red => self.red,
             Channel::Green => self.green,
             Channel::Blue => self.blue,
+        }
+    }
+}
+
+/// How a line is drawn: colour never carries meaning alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Dash {
+    /// Unbroken.
+    Solid,
+    /// Of dashes.
+    Dashed,
+    /// Of dots.
+    Dotted,
+}
+
+impl Dash {
+    /// The line of a material. Neighbours in the palette differ in it, and with seven colours no two of the first
+    /// twenty-one materials have both in common.
+    #[must_use]
+    pub fn of(slot: Slot) -> Self {
+        match slot.0 % 3 {
+            0 => Self::Solid,
+            1 => Self::Dashed,
+            _ => Self::Dotted,
         }
     }
 }
@@ -215,6 +269,15 @@ pub fn fill_of(color: Color32) -> Color32 {
         reason = "this is the file where colours live"
     )]
     Color32::from_rgba_unmultiplied(r, g, b, FILL_ALPHA)
+}
+
+/// `color` on a surface that is turned from the light so far that this share of it arrives, 0..1.
+#[must_use]
+pub fn shaded(color: Rgba, light: f32) -> Rgba {
+    const LEAST: f32 = 0.45;
+    let [r, g, b, alpha] = color;
+    let shade = |channel: u8| (f32::from(channel) * (LEAST + (1.0 - LEAST) * light)) as u8;
+    [shade(r), shade(g), shade(b), alpha]
 }
 
 /// `color` as the 3D view takes it, with this alpha.
@@ -278,5 +341,21 @@ pub fn apply(ctx: &egui::Context) {
             style.visuals.error_fg_color = palette.warning;
             style.visuals.slider_trailing_fill = true;
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn twenty_one_materials_are_told_apart() {
+        for palette in [Theme::Dark, Theme::Light].map(Palette::of) {
+            let look = |slot: u8| (palette.material(Slot(slot)), Dash::of(Slot(slot)));
+            for a in 0..21 {
+                assert!((0..a).all(|b| look(a) != look(b)), "{a}");
+                assert_ne!(Dash::of(Slot(a)), Dash::of(Slot(a + 1)));
+            }
+        }
     }
 }

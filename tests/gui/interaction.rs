@@ -44,7 +44,7 @@ fn picking_a_model_changes_the_surface_and_its_sliders() {
     let before = shares(&harness);
     harness.get_by_label("Oren-Nayar  (R)").click();
     harness.run();
-    assert_eq!(harness.state().session.material.to_string(), "oren_nayar");
+    assert_eq!(harness.state().session.material().to_string(), "oren_nayar");
     assert!(
         harness
             .query_by_role_and_label(Role::Slider, "Sigma")
@@ -64,7 +64,9 @@ fn searching_narrows_the_list_and_edits_are_kept() {
     harness.get_by_label("Retro-reflector  (R)").click();
     harness.run();
     assert_eq!(
-        harness.state().session.material.components()[0].model().id,
+        harness.state().session.material().components()[0]
+            .model()
+            .id,
         "retro_reflector"
     );
     harness.get_by_label("Search models").click();
@@ -82,7 +84,7 @@ fn searching_narrows_the_list_and_edits_are_kept() {
     harness.get_by_label("Rough conductor  (R)").click();
     harness.run();
     assert_eq!(
-        harness.state().session.material.to_string(),
+        harness.state().session.material().to_string(),
         "rough_conductor:alpha_x=0.1"
     );
 }
@@ -97,7 +99,9 @@ fn every_model_can_be_picked_and_shown() {
         harness.get_by_label(&title).click();
         harness.run();
         assert_eq!(
-            harness.state().session.material.components()[0].model().id,
+            harness.state().session.material().components()[0]
+                .model()
+                .id,
             model.id
         );
         let sum: f64 = shares(&harness)
@@ -121,7 +125,7 @@ fn a_slider_moves_its_parameter_and_the_read_out_follows() {
         .get_by_role_and_label(Role::Slider, "Alpha x")
         .rect();
     drag(&mut harness, slider.center(), vec2(20.0, 0.0));
-    let alpha = harness.state().session.material.components()[0]
+    let alpha = harness.state().session.material().components()[0]
         .params()
         .number("alpha_x");
     assert!(alpha > 0.1 && alpha != 0.3, "{alpha}");
@@ -129,7 +133,7 @@ fn a_slider_moves_its_parameter_and_the_read_out_follows() {
     harness.get_by_label("Reset Alpha x").click();
     harness.run();
     assert_eq!(
-        harness.state().session.material.components()[0]
+        harness.state().session.material().components()[0]
             .params()
             .number("alpha_x"),
         0.3
@@ -148,7 +152,7 @@ fn a_choice_brings_its_own_parameters() {
     harness.get_by_label("Schlick").click();
     harness.run();
     assert_eq!(
-        harness.state().session.material.components()[0]
+        harness.state().session.material().components()[0]
             .params()
             .choice("fresnel"),
         "schlick"

@@ -4,6 +4,7 @@
 
 mod interaction;
 mod materials;
+mod overlay;
 mod render;
 mod screenshots;
 
@@ -11,7 +12,7 @@ use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
-use brdf_explorer::ui::session::Session;
+use brdf_explorer::ui::session::{Materials, Session};
 use brdf_explorer::ui::views;
 use egui::Theme;
 use egui_kittest::Harness;
@@ -21,12 +22,17 @@ fn material(text: &str) -> Material {
     library::find(text).map_or_else(|_| text.parse().unwrap(), |named| named.material.clone())
 }
 
-/// The start window showing `shown`, or one view of it, settled.
-fn picture(shown: &str, view: Option<&str>, size: [u32; 2], theme: Theme) -> Harness<'static, App> {
-    let session = Session {
-        material: material(shown),
+/// The start, showing these materials; the first one is selected.
+fn session(shown: &[&str]) -> Session {
+    let materials = shown.iter().map(|text| material(text)).collect();
+    Session {
+        materials: Materials::new(materials).unwrap(),
         ..Session::default()
-    };
+    }
+}
+
+/// The window showing `session`, or one view of it, settled.
+fn picture(session: Session, view: Option<&str>, size: [u32; 2], theme: Theme) -> Picture {
     let only = view.map(|id| views::find(id).unwrap());
     Picture {
         session,
@@ -35,11 +41,15 @@ fn picture(shown: &str, view: Option<&str>, size: [u32; 2], theme: Theme) -> Har
         scale: 1.0,
         theme,
     }
-    .harness()
-    .unwrap()
+}
+
+/// The start window with several materials.
+fn window_of(shown: &[&str]) -> Harness<'static, App> {
+    let picture = picture(session(shown), None, [1280, 800], Theme::Dark);
+    picture.harness().unwrap()
 }
 
 /// The start window.
 fn window(shown: &str) -> Harness<'static, App> {
-    picture(shown, None, [1280, 800], Theme::Dark)
+    window_of(&[shown])
 }

@@ -36,7 +36,7 @@ fn slide(harness: &mut Harness<'_, App>, label: &str, value: f64) {
 }
 
 fn shown<'a>(harness: &'a Harness<'_, App>) -> &'a Material {
-    &harness.state().session.material
+    harness.state().session.material()
 }
 
 #[test]

@@ -168,8 +168,8 @@ fn bad_requests_are_one_line_each() {
         "the limit is 1 to 8192 to a side",
     );
     refused(
-        &run(&["--material", "oren_nayar", "--material", "retro_reflector"]),
-        "the limit is 1",
+        &run(&["--material", "oren_nayar"].repeat(33)),
+        "the limit is 1 to 32",
     );
     refused(&run(&["--session", "nowhere.toml"]), "nowhere.toml");
     let unwritable = program(&["render", "--size", "64x64", "-o", "/nonexistent/x.png"])

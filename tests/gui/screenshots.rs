@@ -1,26 +1,53 @@
-//! Pictures of the window and of each view, one model per category, dark and light.
+//! Pictures of the window and of each view, one model per category and several materials, dark and light.
 //!
 //! They are compared on the software driver only: other adapters round differently. Set `UPDATE_SNAPSHOTS=1` to
 //! accept new ones, and look at each.
 
-use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::headless::Picture;
 use brdf_explorer::ui::views::VIEWS;
 use eframe::egui_wgpu::wgpu;
 use egui::Theme;
-use egui_kittest::{Harness, SnapshotOptions, SnapshotResults, try_image_snapshot_options};
+use egui_kittest::{SnapshotOptions, SnapshotResults, try_image_snapshot_options};
 
-use super::picture;
+use super::{picture, session};
 
-/// One model of each category, with parameters that show it well.
-const MODELS: [(&str, &str); 4] = [
-    ("diffuse", "oren_nayar:sigma=30"),
-    ("glossy_specular", "rough_conductor:alpha_x=0.1,alpha_y=0.3"),
-    ("perfect_specular", "fresnel_specular"),
-    ("retro_reflective", "retro_reflector"),
+/// What each view shows: one model of each category, with parameters that show it well, and several materials.
+const SHOWN: [(&str, &[&str]); 5] = [
+    ("diffuse", &["oren_nayar:sigma=30"]),
+    (
+        "glossy_specular",
+        &["rough_conductor:alpha_x=0.1,alpha_y=0.3"],
+    ),
+    ("perfect_specular", &["fresnel_specular"]),
+    ("retro_reflective", &["retro_reflector"]),
+    ("overlay", &THREE),
 ];
 
-/// Pictures of the whole window: the start, and the named materials with one of several lobes chosen.
-const WINDOWS: [(&str, &str); 2] = [("window", "rough_conductor"), ("materials", "car_paint")];
+/// A comparison.
+const THREE: [&str; 3] = ["rough_conductor", "plastic", "oren_nayar"];
+
+/// As many as fit a lecture.
+const EIGHT: [&str; 8] = [
+    "rough_conductor",
+    "plastic",
+    "oren_nayar",
+    "frosted_glass",
+    "velvet_cloth",
+    "fresnel_specular",
+    "moon",
+    "brushed_steel",
+];
+
+/// Pictures of the whole window: name, materials, size in points, pixels per point.
+type Window = (&'static str, &'static [&'static str], [u32; 2], f32);
+
+/// The start, the named materials with one of several lobes chosen, and comparisons in every size that must do.
+const WINDOWS: [Window; 4] = [
+    ("window", &["rough_conductor"], [1280, 800], 1.0),
+    ("materials", &["car_paint"], [1280, 800], 1.0),
+    ("three", &THREE, [1280, 800], 1.0),
+    ("eight", &EIGHT, [1024, 640], 2.0),
+];
 
 /// The limit on the stored pictures, all together.
 const MAX_BYTES: u64 = 8 << 20;
@@ -41,8 +68,8 @@ fn is_software_driver() -> bool {
         .any(|adapter| adapter.get_info().device_type == wgpu::DeviceType::Cpu)
 }
 
-fn compare(results: &mut SnapshotResults, name: &str, picture: &mut Harness<'_, App>) {
-    let image = picture.render().unwrap();
+fn compare(results: &mut SnapshotResults, name: &str, picture: Picture) {
+    let image = picture.harness().unwrap().render().unwrap();
     let options = SnapshotOptions::new()
         .threshold(THRESHOLD)
         .max_failed_pixels(MAX_FAILED_PIXELS);
@@ -57,15 +84,18 @@ fn pictures_are_as_stored() {
     }
     let mut results = SnapshotResults::new();
     for (theme_name, theme) in THEMES {
-        for (name, material) in WINDOWS {
-            let mut window = picture(material, None, [1280, 800], theme);
-            compare(&mut results, &format!("{name}_{theme_name}"), &mut window);
+        for (name, shown, size, scale) in WINDOWS {
+            let window = Picture {
+                scale,
+                ..picture(session(shown), None, size, theme)
+            };
+            compare(&mut results, &format!("{name}_{theme_name}"), window);
         }
         for view in &VIEWS {
-            for (category, material) in MODELS {
-                let name = format!("{}_{category}_{theme_name}", view.id);
-                let mut alone = picture(material, Some(view.id), [480, 360], theme);
-                compare(&mut results, &name, &mut alone);
+            for (what, shown) in SHOWN {
+                let name = format!("{}_{what}_{theme_name}", view.id);
+                let alone = picture(session(shown), Some(view.id), [480, 360], theme);
+                compare(&mut results, &name, alone);
             }
         }
     }
@@ -89,7 +119,7 @@ fn the_stored_pictures_are_one_per_view_model_and_theme() {
     }
     assert_eq!(
         names.len(),
-        THEMES.len() * (WINDOWS.len() + VIEWS.len() * MODELS.len()),
+        THEMES.len() * (WINDOWS.len() + VIEWS.len() * SHOWN.len()),
         "{names:?}"
     );
     assert!(bytes <= MAX_BYTES, "{bytes} bytes");

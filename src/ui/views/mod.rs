@@ -1,7 +1,7 @@
 //! The views: one file each, and the one list of them.
 
 use super::data::Data;
-use super::session::Session;
+use super::session::{EntryId, Session};
 use super::theme::Palette;
 use crate::error::{Error, Result};
 
@@ -81,6 +81,8 @@ impl ViewState {
 /// A direction under the pointer, with the value of the lobe there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cursor {
+    /// The material that is pointed at; else the selected one.
+    pub material: EntryId,
     /// Polar angle of the free direction from n, in degrees.
     pub theta_deg: f64,
     /// Its azimuth from s, in degrees.

@@ -31,7 +31,7 @@ fn grid(ui: &mut Ui, session: &mut Session) {
         trigonometry(ui, "φ", session.phi_deg);
         ui.end_row();
 
-        ui.weak(if session.material.is_isotropic() {
+        ui.weak(if session.material().is_isotropic() {
             "Isotropic lobe: stays"
         } else {
             "Anisotropic lobe: turns"

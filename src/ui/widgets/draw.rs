@@ -1,14 +1,14 @@
 //! Drawing that several views share.
 
 use egui::{
-    Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Role, Sense, TextStyle, Ui,
-    WidgetInfo, vec2,
+    Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke,
+    TextStyle, Ui, WidgetInfo, vec2,
 };
 
 use crate::analysis::Channel;
 use crate::ui::format;
 use crate::ui::session::{Curves, Session};
-use crate::ui::theme::{HANDLE_RADIUS, Palette};
+use crate::ui::theme::{self, Dash, HANDLE_RADIUS, Palette};
 use crate::ui::views::Cursor;
 
 /// Scrolling by this many points zooms by a factor e to this times them.
@@ -56,6 +56,36 @@ fn inside(rect: Rect, bounds: Rect) -> Rect {
     rect.translate(low + high)
 }
 
+/// `rect`, or the same a line or two above or below, where none of `taken` stands; it is taken then.
+pub fn free_place(taken: &mut Vec<Rect>, rect: Rect) -> Rect {
+    let is_free = |place: &Rect| taken.iter().all(|other| !other.intersects(*place));
+    let place = [0.0, -1.0, 1.0, -2.0, 2.0]
+        .map(|lines| rect.translate(vec2(0.0, lines * rect.height())))
+        .into_iter()
+        .find(is_free)
+        .unwrap_or(rect);
+    taken.push(place);
+    place
+}
+
+/// A straight line drawn so.
+pub fn line(painter: &Painter, ends: [Pos2; 2], stroke: impl Into<Stroke>, dash: Dash) {
+    let stroke = stroke.into();
+    match dash {
+        Dash::Solid => {
+            painter.line_segment(ends, stroke);
+        }
+        Dash::Dashed => {
+            let [length, gap] = theme::DASH;
+            painter.extend(Shape::dashed_line(&ends, stroke, length, gap));
+        }
+        Dash::Dotted => {
+            let [spacing, radius] = theme::DOTS;
+            painter.extend(Shape::dotted_line(&ends, stroke.color, spacing, radius));
+        }
+    }
+}
+
 /// A thick arrow with a filled head, which is no longer than the arrow.
 pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
     const HEAD: f32 = 13.0;
@@ -64,10 +94,10 @@ pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
     let head = HEAD.min((to - from).length());
     let (base, across) = (to - along * head, along.rot90() * 0.42 * head);
     painter.line_segment([from, base], (WIDTH, color));
-    painter.add(egui::Shape::convex_polygon(
+    painter.add(Shape::convex_polygon(
         vec![to, base + across, base - across],
         color,
-        egui::Stroke::NONE,
+        Stroke::NONE,
     ));
 }
 
@@ -116,19 +146,27 @@ pub fn handle(
     response
 }
 
-/// The read-out of a direction: angles and value, per channel where these are shown.
+/// The read-out of a direction: angles and value, per channel where these are shown; and of which material, where there
+/// are several.
 #[must_use]
 pub fn cursor_text(cursor: &Cursor, session: &Session) -> String {
+    let entry = session.materials.get(cursor.material);
+    let entry = entry.unwrap_or_else(|| session.materials.selected());
+    let name = if session.materials.is_overlay() {
+        session.materials.title(entry) + ":  "
+    } else {
+        String::new()
+    };
     let angles = format!(
-        "θ {}  φ {}",
+        "{name}θ {}  φ {}",
         format::degrees(cursor.theta_deg),
         format::degrees(cursor.phi_deg)
     );
-    if session.material.is_delta_only() {
+    if entry.material.is_delta_only() {
         return format!("{angles}  f 0, all light is in the deltas");
     }
     let quantity = if session.with_cosine { "f cos θ" } else { "f" };
-    match session.curves {
+    match session.shown_curves() {
         Curves::Luminance => {
             format!(
                 "{angles}  {quantity} {} 1/sr",
@@ -162,6 +200,7 @@ mod tests {
     #[test]
     fn read_outs_name_angle_value_and_unit() {
         let cursor = Cursor {
+            material: Session::default().materials.selected().id(),
             theta_deg: 30.0,
             phi_deg: -0.0,
             value: [0.25; 3],

@@ -3,6 +3,8 @@
 pub mod components;
 pub mod directions;
 pub mod draw;
+pub mod legend;
+pub mod options;
 pub mod params;
 pub mod picker;
 pub mod shares;

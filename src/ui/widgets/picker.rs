@@ -9,6 +9,7 @@ use super::thumbnails::Thumbnails;
 use crate::bxdf::material::library::{self, Named};
 use crate::bxdf::models::{self, MODELS};
 use crate::bxdf::{Category, Material, ModelSpec, Side};
+use crate::ui::session::MaterialEntry;
 use crate::ui::theme;
 
 /// The share of the panel's height that the list may take; the rest is for the parameters.
@@ -138,7 +139,7 @@ impl Picker {
 
     /// The switch, the search field, and the list that the search leaves. Choosing an entry replaces the material by the
     /// one chosen as that before, or by the entry as it stands in the list.
-    pub fn show(&mut self, ui: &mut Ui, material: &mut Material) {
+    pub fn show(&mut self, ui: &mut Ui, chosen: &mut MaterialEntry) {
         ui.horizontal(|ui| {
             ui.selectable_value(&mut self.list, List::Models, "Models")
                 .on_hover_text("Formulas at their default parameters, each by itself");
@@ -163,10 +164,10 @@ impl Picker {
             .id_salt(what)
             .max_height(height)
             .auto_shrink([false, true]);
-        area.show(ui, |ui| self.entries(ui, &wanted, material));
+        area.show(ui, |ui| self.entries(ui, &wanted, chosen));
     }
 
-    fn entries(&mut self, ui: &mut Ui, wanted: &str, material: &mut Material) {
+    fn entries(&mut self, ui: &mut Ui, wanted: &str, chosen: &mut MaterialEntry) {
         let listed: Vec<Entry> = match self.list {
             List::Models => MODELS.into_iter().map(Entry::Model).collect(),
             List::Materials => library::all().iter().map(Entry::Named).collect(),
@@ -183,7 +184,7 @@ impl Picker {
                 .on_hover_text(category.meaning());
             ui.indent(category.id(), |ui| {
                 for entry in shown {
-                    self.row(ui, *entry, material);
+                    self.row(ui, *entry, chosen);
                 }
             });
         }
@@ -193,11 +194,11 @@ impl Picker {
         }
     }
 
-    fn row(&mut self, ui: &mut Ui, entry: Entry, material: &mut Material) {
+    fn row(&mut self, ui: &mut Ui, entry: Entry, chosen: &mut MaterialEntry) {
         let is = |material: &Material| {
             Entry::of(material).is_some_and(|chosen| chosen.id() == entry.id())
         };
-        let is_chosen = is(material);
+        let is_chosen = is(&chosen.material);
         let row = match entry {
             Entry::Model(model) => ui.selectable_label(is_chosen, title(model)),
             Entry::Named(named) => self.pictured(ui, named, is_chosen),
@@ -212,7 +213,8 @@ impl Picker {
             self.scrolled_to = entry.id();
             let kept = self.shelf.iter().position(is);
             let next = kept.map_or_else(|| entry.material(), |index| self.shelf.swap_remove(index));
-            self.shelf.push(std::mem::replace(material, next));
+            self.shelf.push(chosen.material.clone());
+            chosen.replace(next);
         }
     }
 

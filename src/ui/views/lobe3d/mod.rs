@@ -13,8 +13,9 @@ use crate::ui::scene3d::{self, HomeView, OrbitCamera, SceneView};
 use crate::ui::session::Session;
 use crate::ui::theme::rgba;
 use crate::ui::widgets::draw;
+use crate::ui::widgets::legend::{self, Sample};
 use sketch::Sketch;
-use surface::DrawnLobe;
+use surface::Lobes;
 
 mod scene;
 mod sketch;
@@ -45,12 +46,11 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
-    let mesh = cx.data.mesh(cx.session);
-    let arrows = cx.data.arrows(cx.session);
+    let requested = scene::requested(cx);
     let has_lower = cx.state.shows_lower_half(cx.session);
     move_camera(ui, &response, cx.session);
     let camera = centred(&cx.session.camera, has_lower);
-    let drawing = scene::drawing(ui, cx, &mesh, &arrows, has_lower);
+    let drawing = scene::drawing(ui, cx, requested, has_lower);
     let view = SceneView {
         id: ui.scope_id().value(),
         scene: Arc::clone(&drawing.scene),
@@ -66,14 +66,15 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         palette: cx.palette,
         taken: RefCell::default(),
     };
-    sketch.name_axes(&drawing.lobe);
-    sketch.label(cx.session, &arrows);
-    sketch.legend(drawing.lobe.peak, cx.session);
+    sketch.name_axes(&drawing.lobes);
+    sketch.label(cx.session, &drawing.lobes);
+    sketch.scale(&drawing.lobes, cx.session);
+    legend::show(ui, rect, Sample::Patch, cx.session, cx.palette);
     home_buttons(ui, rect, cx.session);
     if drag_held(ui, cx, rect, &camera) {
         cx.state.keep_arrangement(has_lower);
     } else if !response.dragged() {
-        read_out(ui, cx, &response, &drawing.lobe, &camera);
+        read_out(ui, cx, &response, &drawing.lobes, &camera);
     }
 }
 
@@ -156,17 +157,16 @@ fn read_out(
     ui: &Ui,
     cx: &mut ViewContext<'_>,
     response: &egui::Response,
-    drawn: &DrawnLobe,
+    lobes: &Lobes,
     camera: &OrbitCamera,
 ) {
     let Some(pointer) = response.hover_pos() else {
         return;
     };
     let ray = camera.ray(pointer, response.rect);
-    let on_lobe = drawn
-        .hit(&ray)
-        .map(|distance| ray.origin + distance * ray.direction);
+    let on_lobe = lobes.hit(&ray);
     let hit = on_lobe
+        .map(|(distance, _)| ray.origin + distance * ray.direction)
         .or_else(|| ray.sphere_hits(1.0)[0])
         .map(Vec3::as_dvec3);
     let Some(direction) = hit.and_then(DVec3::try_normalize) else {
@@ -174,7 +174,12 @@ fn read_out(
     };
     ui.painter_at(response.rect)
         .circle_stroke(pointer, 4.0, (1.5, cx.palette.ink));
-    let surface = cx.data.surface(cx.session);
+    let materials = &cx.session.materials;
+    let entry = on_lobe
+        .and_then(|(_, material)| materials.get(material))
+        .unwrap_or_else(|| materials.selected());
+    let material = entry.id();
+    let surface = cx.data.surface(cx.session, entry);
     let lobe = HeldLobe::new(&**surface, cx.session.hold, cx.session.held());
     let cosine = if cx.session.with_cosine {
         direction.z.abs()
@@ -182,6 +187,7 @@ fn read_out(
         1.0
     };
     let cursor = Cursor {
+        material,
         theta_deg: frame::theta(direction).to_degrees(),
         phi_deg: frame::phi(direction).to_degrees(),
         value: lobe

@@ -6,15 +6,15 @@ use egui::{Theme, Ui};
 use glam::{DVec3, Vec3};
 
 use super::super::ViewContext;
-use super::surface::DrawnLobe;
+use super::surface::{Lobes, Part};
 use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use crate::analysis::Channel;
 use crate::analysis::lobe::Arrow;
 use crate::analysis::lobe3d::Mesh;
 use crate::bxdf::math::frame;
-use crate::ui::memo::Memo;
+use crate::ui::memo::{Memo, Same};
 use crate::ui::scene3d::{OrbitCamera, Scene};
-use crate::ui::session::Session;
+use crate::ui::session::{EntryId, MaterialEntry, Session};
 use crate::ui::theme::{Palette, rgba};
 
 /// Brush lines to either side of the middle one.
@@ -23,17 +23,36 @@ const BRUSH_LINES: i32 = 6;
 const BRUSH_ALPHA: u8 = 50;
 
 /// What a drawing is made from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub(in super::super) struct Key {
-    lobe: u64,
+    requested: Vec<Requested>,
     session: Session,
     is_dark: bool,
+}
+
+/// What was asked for a material.
+#[derive(Clone, PartialEq)]
+pub(super) struct Requested {
+    material: EntryId,
+    mesh: Same<Mesh>,
+    arrows: Same<Vec<Arrow>>,
+}
+
+/// The data of every material that is shown.
+pub(super) fn requested(cx: &mut ViewContext<'_>) -> Vec<Requested> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let request = |entry: &MaterialEntry| Requested {
+        material: entry.id(),
+        mesh: Same(data.mesh(session, entry)),
+        arrows: Same(data.arrows(session, entry)),
+    };
+    session.materials.shown().map(request).collect()
 }
 
 /// What is on the screen, less what is painted over it.
 pub(in super::super) struct Drawing {
     pub(super) scene: Arc<Scene>,
-    pub(super) lobe: DrawnLobe,
+    pub(super) lobes: Lobes,
 }
 
 /// The drawing last shown.
@@ -43,12 +62,11 @@ pub(in super::super) type DrawingMemo = Memo<Key, Drawing>;
 pub(super) fn drawing(
     ui: &Ui,
     cx: &mut ViewContext<'_>,
-    mesh: &Mesh,
-    arrows: &[Arrow],
+    requested: Vec<Requested>,
     has_lower: bool,
 ) -> Arc<Drawing> {
     let key = Key {
-        lobe: cx.data.lobe_version(),
+        requested: requested.clone(),
         session: Session {
             camera: OrbitCamera::default(),
             ..cx.session.clone()
@@ -57,18 +75,28 @@ pub(super) fn drawing(
     };
     let (session, palette) = (&*cx.session, cx.palette);
     cx.state.drawing.get(key, || {
-        let lobe = DrawnLobe::of(mesh, session);
+        let parts = requested.into_iter().filter_map(|one| {
+            let entry = session.materials.get(one.material)?;
+            Some(Part {
+                material: one.material,
+                title: session.materials.title(entry),
+                color: palette.material(entry.slot()),
+                mesh: one.mesh.0,
+                arrows: one.arrows.0,
+            })
+        });
+        let lobes = Lobes::of(parts.collect(), session);
         let mut scene = Scene::default();
-        lobe.add_to(&mut scene, session.show_geometry);
+        lobes.add_to(&mut scene, session);
         add_brush_lines(&mut scene, session, palette);
         add_frame(&mut scene, palette, has_lower);
-        add_directions(&mut scene, session, arrows, palette);
+        add_directions(&mut scene, session, &lobes, palette);
         if session.show_geometry {
             add_geometry(&mut scene, session, palette);
         }
         Drawing {
             scene: Arc::new(scene),
-            lobe,
+            lobes,
         }
     })
 }
@@ -93,7 +121,7 @@ fn add_frame(scene: &mut Scene, palette: &Palette, has_lower: bool) {
     );
 }
 
-fn add_directions(scene: &mut Scene, session: &Session, arrows: &[Arrow], palette: &Palette) {
+fn add_directions(scene: &mut Scene, session: &Session, lobes: &Lobes, palette: &Palette) {
     let held = session.held();
     let mirror = DVec3::new(-held.x, -held.y, held.z);
     scene.add_arrow(
@@ -105,12 +133,12 @@ fn add_directions(scene: &mut Scene, session: &Session, arrows: &[Arrow], palett
     let (mirror, color) = (mirror.as_vec3(), rgba(palette.mirror, 255));
     scene.add_dashed(Vec3::ZERO, mirror * 0.9, color, 2.0);
     scene.add_arrow(mirror * 0.9, mirror, color, 2.0);
-    for arrow in arrows {
+    for (color, arrow) in lobes.arrows() {
         let length = Channel::Luminance.of(arrow.flux);
         scene.add_arrow(
             Vec3::ZERO,
             (arrow.direction * length).as_vec3(),
-            rgba(palette.delta, 255),
+            rgba(color, 255),
             5.0,
         );
     }

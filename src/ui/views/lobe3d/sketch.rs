@@ -5,9 +5,8 @@ use std::cell::RefCell;
 use egui::{Align2, Color32, Pos2, Rect, Ui, vec2};
 use glam::Vec3;
 
-use super::surface::DrawnLobe;
+use super::surface::Lobes;
 use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
-use crate::analysis::lobe::Arrow;
 use crate::analysis::{Channel, RadialScale};
 use crate::bxdf::math::frame;
 use crate::ui::format;
@@ -18,6 +17,9 @@ use crate::ui::widgets::draw;
 
 /// Spacing of the labels of the degree grid.
 const GRID_STEP_DEG: f64 = 30.0;
+
+/// How far beyond the tip of a lobe its name stands, in lengths of the lobe.
+const NAME_BEYOND_TIP: f32 = 1.06;
 
 /// Directions nearer than this share one name.
 const NAME_SPACING: f32 = 0.2;
@@ -44,15 +46,8 @@ impl Sketch<'_> {
             .layout_no_wrap(text.to_owned(), font.clone(), color)
             .size()
             + vec2(6.0, 2.0);
-        let line = |shift: f32| Rect::from_center_size(position + vec2(0.0, shift * size.y), size);
-        let mut taken = self.taken.borrow_mut();
-        let is_free = |rect: &Rect| taken.iter().all(|other| !other.intersects(*rect));
-        let rect = [0.0, -1.0, 1.0, -2.0, 2.0]
-            .map(line)
-            .into_iter()
-            .find(is_free)
-            .unwrap_or_else(|| line(0.0));
-        taken.push(rect);
+        let wanted = Rect::from_center_size(position, size);
+        let rect = draw::free_place(&mut self.taken.borrow_mut(), wanted);
         draw::haloed_text(
             &painter,
             rect.center(),
@@ -65,7 +60,7 @@ impl Sketch<'_> {
     }
 
     /// The names of the axes, where the lobe does not stand before them.
-    pub(super) fn name_axes(&self, lobe: &DrawnLobe) {
+    pub(super) fn name_axes(&self, lobes: &Lobes) {
         for (axis, name) in [(Vec3::X, "s"), (Vec3::Y, "t"), (Vec3::Z, "n")] {
             let place = axis * (AXIS_LENGTH + 0.08);
             let eye = self.camera.eye();
@@ -73,19 +68,22 @@ impl Sketch<'_> {
                 origin: eye,
                 direction: place - eye,
             };
-            if lobe.hit(&sight).is_none_or(|distance| distance > 1.0) {
+            if lobes.hit(&sight).is_none_or(|(distance, _)| distance > 1.0) {
                 self.name(place, name, self.palette.ink);
             }
         }
     }
 
-    pub(super) fn label(&self, session: &Session, arrows: &[Arrow]) {
+    pub(super) fn label(&self, session: &Session, lobes: &Lobes) {
         let held = session.held().as_vec3();
         let mirror = Vec3::new(-held.x, -held.y, held.z);
-        for arrow in arrows {
+        for (color, arrow) in lobes.arrows() {
             let share = Channel::Luminance.of(arrow.flux);
             let place = (arrow.direction * share.max(0.3) * 0.62).as_vec3();
-            self.name(place, &format!("delta {share:.3}"), self.palette.delta);
+            self.name(place, &format!("delta {share:.3}"), color);
+        }
+        for (title, color, tip) in lobes.names() {
+            self.name(tip * NAME_BEYOND_TIP, title, color);
         }
         // Near n the two names would overlap, and the held direction is its own mirror direction.
         if held.distance(mirror) > NAME_SPACING {
@@ -164,9 +162,20 @@ impl Sketch<'_> {
         }
     }
 
-    /// The colours with the values they stand for.
-    pub(super) fn legend(&self, peak: f64, session: &Session) {
+    /// The scale: the value of the longest radius, and where one lobe is shown the colours with their values.
+    pub(super) fn scale(&self, lobes: &Lobes, session: &Session) {
+        let peak = lobes.peak();
         if peak <= 0.0 {
+            return;
+        }
+        let quantity = if session.with_cosine { "f cos θ" } else { "f" };
+        let painter = self.ui.painter_at(self.rect);
+        let font = draw::small_font(self.ui);
+        if session.materials.is_overlay() {
+            let place = self.rect.right_top() + vec2(-8.0, 6.0);
+            let text = format!("longest: {quantity} {} 1/sr", format::value(peak));
+            let color = self.palette.faint_ink;
+            painter.text(place, Align2::RIGHT_TOP, text, font, color);
             return;
         }
         let (width, height) = (10.0, (0.2 * self.rect.height()).clamp(50.0, 120.0));
@@ -186,19 +195,11 @@ impl Sketch<'_> {
                 strip.add_triangle(first + 1, first + 2, first + 3);
             }
         }
-        let painter = self.ui.painter_at(self.rect);
         painter.add(strip);
         let text = |y: f32, anchor: Align2, text: String| {
             let place = Pos2::new(bar.left() - 5.0, y);
-            painter.text(
-                place,
-                anchor,
-                text,
-                draw::small_font(self.ui),
-                self.palette.faint_ink,
-            );
+            painter.text(place, anchor, text, font.clone(), self.palette.faint_ink);
         };
-        let quantity = if session.with_cosine { "f cos θ" } else { "f" };
         text(
             bar.top(),
             Align2::RIGHT_CENTER,

@@ -1,11 +1,15 @@
-//! The lobe as it is drawn: the tips of its radii, and what a ray meets of it.
+//! The lobes as they are drawn: the tips of its radii, and what a ray meets of them.
 
-use glam::{DVec3, Vec3};
+use std::sync::Arc;
+
+use egui::Color32;
+use glam::Vec3;
 
 use crate::analysis::Channel;
-use crate::analysis::lobe3d::Mesh;
-use crate::ui::scene3d::{Ray, Rgba, Scene, Vertex};
-use crate::ui::session::Session;
+use crate::analysis::lobe::Arrow;
+use crate::analysis::lobe3d::{self, Mesh};
+use crate::ui::scene3d::{Ray, Rgba, Scene, Surface, Vertex};
+use crate::ui::session::{EntryId, LobeSurface, Session};
 use crate::ui::theme;
 
 /// The largest radius of the lobe: a little less than the dome's, or the two surfaces would flicker into each other.
@@ -14,11 +18,113 @@ const LARGEST_RADIUS: f64 = 0.96;
 /// Width of the line inside the lobe, in points.
 const SPINE_WIDTH: f32 = 1.5;
 
-/// The lobe's surface in the scene's coordinates.
-#[derive(Default)]
-pub(super) struct DrawnLobe {
-    /// The luminance (times the cosine, if shown so) of the largest radius, in 1/sr.
-    pub(super) peak: f64,
+/// Width of the edges of a mesh, in points.
+const WIRE_WIDTH: f32 = 1.0;
+
+/// Where the light comes from that shades what is drawn unlit, a unit vector.
+const LIGHT: Vec3 = Vec3::new(0.36, 0.48, 0.8);
+
+/// A material as the view shows it.
+pub(super) struct Part {
+    pub(super) material: EntryId,
+    pub(super) title: String,
+    pub(super) color: Color32,
+    pub(super) mesh: Arc<Mesh>,
+    pub(super) arrows: Arc<Vec<Arrow>>,
+}
+
+/// The lobes of all materials shown, on one radial scale.
+pub(super) struct Lobes {
+    all: Vec<(Part, DrawnLobe)>,
+    peak: f64,
+}
+
+impl Lobes {
+    /// The lobes of `parts` on the session's scale.
+    pub(super) fn of(parts: Vec<Part>, session: &Session) -> Self {
+        let values: Vec<Vec<f64>> = parts
+            .iter()
+            .map(|part| shown_values(&part.mesh, session))
+            .collect();
+        let peak = values.iter().flatten().copied().fold(0.0, f64::max);
+        let radii = |values: Vec<f64>| -> Vec<f64> {
+            let radius = |value| session.scale.radius(value, peak);
+            values.into_iter().map(radius).collect()
+        };
+        let all = parts
+            .into_iter()
+            .zip(values)
+            .map(|(part, values)| {
+                let lobe = DrawnLobe::of(&part.mesh, radii(values));
+                (part, lobe)
+            })
+            .collect();
+        Self { all, peak }
+    }
+
+    /// The luminance (times the cosine, if shown so) of the longest radius, in 1/sr.
+    pub(super) fn peak(&self) -> f64 {
+        self.peak
+    }
+
+    /// Every delta with the colour of its material.
+    pub(super) fn arrows(&self) -> impl Iterator<Item = (Color32, &Arrow)> {
+        let of = |part: &'_ Part| part.color;
+        self.all
+            .iter()
+            .flat_map(move |(part, _)| part.arrows.iter().map(move |arrow| (of(part), arrow)))
+    }
+
+    /// The tip of each lobe where there are several, with its name.
+    pub(super) fn names(&self) -> impl Iterator<Item = (&str, Color32, Vec3)> {
+        let is_overlay = self.all.len() > 1;
+        self.all
+            .iter()
+            .filter(move |_| is_overlay)
+            .filter_map(|(part, lobe)| {
+                let (_, tip) = lobe.highest()?;
+                Some((part.title.as_str(), part.color, tip))
+            })
+    }
+
+    /// Adds the lobes as the session has them drawn: one alone in the colours of its values, several in their own.
+    pub(super) fn add_to(&self, scene: &mut Scene, session: &Session) {
+        let style = match session.lobe_surface {
+            // What is drawn inside has to show.
+            LobeSurface::Solid if session.show_geometry => LobeSurface::Translucent,
+            style => style,
+        };
+        let is_overlay = self.all.len() > 1;
+        for (part, lobe) in &self.all {
+            let color = is_overlay.then(|| theme::rgba(part.color, u8::MAX));
+            lobe.add_to(scene, style, color);
+        }
+    }
+
+    /// How far along `ray`, in units of its direction, the first lobe is met, and whose it is.
+    pub(super) fn hit(&self, ray: &Ray) -> Option<(f32, EntryId)> {
+        self.all
+            .iter()
+            .filter_map(|(part, lobe)| Some((lobe.hit(ray)?, part.material)))
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
+
+/// What the radii of a mesh stand for, vertex by vertex.
+fn shown_values(mesh: &Mesh, session: &Session) -> Vec<f64> {
+    let shown = |vertex: &lobe3d::Vertex| {
+        let cosine = if session.with_cosine {
+            vertex.direction.z.abs()
+        } else {
+            1.0
+        };
+        Channel::Luminance.of(vertex.value) * cosine
+    };
+    mesh.vertices.iter().map(shown).collect()
+}
+
+/// A lobe's surface in the scene's coordinates.
+struct DrawnLobe {
     /// Relative radii, 0..1, vertex by vertex.
     radii: Vec<f64>,
     tips: Vec<Vec3>,
@@ -26,26 +132,8 @@ pub(super) struct DrawnLobe {
 }
 
 impl DrawnLobe {
-    /// `mesh` on the session's scale.
-    pub(super) fn of(mesh: &Mesh, session: &Session) -> Self {
-        let shown = |direction: DVec3, value: [f64; 3]| {
-            let cosine = if session.with_cosine {
-                direction.z.abs()
-            } else {
-                1.0
-            };
-            Channel::Luminance.of(value) * cosine
-        };
-        let values: Vec<f64> = mesh
-            .vertices
-            .iter()
-            .map(|v| shown(v.direction, v.value))
-            .collect();
-        let peak = values.iter().copied().fold(0.0, f64::max);
-        let radii: Vec<f64> = values
-            .iter()
-            .map(|value| session.scale.radius(*value, peak))
-            .collect();
+    /// `mesh` with these radii, 0..1, vertex by vertex.
+    fn of(mesh: &Mesh, radii: Vec<f64>) -> Self {
         let tips: Vec<Vec3> = mesh
             .vertices
             .iter()
@@ -53,7 +141,6 @@ impl DrawnLobe {
             .map(|(vertex, radius)| (vertex.direction * (LARGEST_RADIUS * radius)).as_vec3())
             .collect();
         let mut lobe = Self {
-            peak,
             radii,
             tips,
             triangles: Vec::new(),
@@ -69,13 +156,42 @@ impl DrawnLobe {
         self.tips.get(index as usize).copied().unwrap_or_default()
     }
 
-    /// Adds the surface, smoothly shaded and coloured by radius; `is_see_through`: so that what is inside shows.
-    pub(super) fn add_to(&self, scene: &mut Scene, is_see_through: bool) {
-        let alpha = if is_see_through {
-            theme::SEE_THROUGH_ALPHA
-        } else {
-            u8::MAX
-        };
+    /// The colours of the vertices: of their values, or all of one colour.
+    fn colors(&self, color: Option<Rgba>) -> impl Iterator<Item = Rgba> {
+        let of = move |radius: &f64| color.unwrap_or_else(|| theme::viridis(*radius));
+        self.radii.iter().map(of)
+    }
+
+    /// Adds the surface, coloured by radius if not all of one `color`.
+    fn add_to(&self, scene: &mut Scene, style: LobeSurface, color: Option<Rgba>) {
+        match style {
+            LobeSurface::Solid => {
+                let vertices = self.vertices(self.colors(color));
+                self.append(&mut scene.opaque, &vertices);
+            }
+            LobeSurface::Translucent => {
+                let mut vertices = self.vertices(self.colors(color));
+                for vertex in &mut vertices {
+                    // Translucent surfaces are drawn unlit: of one colour, their shape would not show.
+                    if color.is_some() {
+                        let light = Vec3::from_array(vertex.normal).dot(LIGHT).abs();
+                        vertex.color = theme::shaded(vertex.color, light.min(1.0));
+                    }
+                    vertex.color[3] = theme::SEE_THROUGH_ALPHA;
+                }
+                self.append(&mut scene.translucent, &vertices);
+            }
+            LobeSurface::Wire => self.add_wire(scene, color),
+        }
+        self.add_spine(scene, color);
+    }
+
+    fn append(&self, surface: &mut Surface, vertices: &[Vertex]) {
+        surface.append(vertices, self.triangles.iter().copied().flatten());
+    }
+
+    /// The vertices, for smooth shading.
+    fn vertices(&self, colors: impl Iterator<Item = Rgba>) -> Vec<Vertex> {
         let mut normals = vec![Vec3::ZERO; self.tips.len()];
         for triangle in &self.triangles {
             let [a, b, c] = triangle.map(|index| self.tip(index));
@@ -87,36 +203,47 @@ impl DrawnLobe {
                 }
             }
         }
-        let vertices: Vec<Vertex> = self
-            .tips
+        self.tips
             .iter()
             .zip(&normals)
-            .zip(&self.radii)
-            .map(|((tip, normal), radius)| Vertex {
+            .zip(colors)
+            .map(|((tip, normal), color)| Vertex {
                 position: tip.to_array(),
                 normal: normal.normalize_or_zero().to_array(),
-                color: with_alpha(theme::viridis(*radius), alpha),
+                color,
             })
-            .collect();
-        let surface = if is_see_through {
-            &mut scene.translucent
-        } else {
-            &mut scene.opaque
-        };
-        surface.append(&vertices, self.triangles.iter().copied().flatten());
-        self.add_spine(scene);
+            .collect()
+    }
+
+    /// Every edge once: the triangles on its sides run along it in opposite directions.
+    fn add_wire(&self, scene: &mut Scene, color: Option<Rgba>) {
+        let colors: Vec<Rgba> = self.colors(color).collect();
+        for [a, b, c] in &self.triangles {
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                if from < to {
+                    let color = colors.get(*from as usize).copied().unwrap_or_default();
+                    scene.add_line(self.tip(*from), self.tip(*to), color, WIRE_WIDTH);
+                }
+            }
+        }
+    }
+
+    /// The longest radius and its tip; `None` for a lobe that is 0 everywhere.
+    fn highest(&self) -> Option<(f64, Vec3)> {
+        self.radii
+            .iter()
+            .copied()
+            .zip(self.tips.iter().copied())
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(radius, _)| *radius > 0.0)
     }
 
     /// A line to the highest tip: inside a lobe of some width it is hidden, of a lobe thinner than a pixel it is what
     /// remains to be seen.
-    fn add_spine(&self, scene: &mut Scene) {
-        let highest = self
-            .radii
-            .iter()
-            .zip(&self.tips)
-            .max_by(|a, b| a.0.total_cmp(b.0));
-        if let Some((radius, tip)) = highest.filter(|(radius, _)| **radius > 0.0) {
-            scene.add_line(Vec3::ZERO, *tip, theme::viridis(*radius), SPINE_WIDTH);
+    fn add_spine(&self, scene: &mut Scene, color: Option<Rgba>) {
+        if let Some((radius, tip)) = self.highest() {
+            let color = color.unwrap_or_else(|| theme::viridis(radius));
+            scene.add_line(Vec3::ZERO, tip, color, SPINE_WIDTH);
         }
     }
 
@@ -144,34 +271,89 @@ impl DrawnLobe {
     }
 }
 
-fn with_alpha([r, g, b, _]: Rgba, alpha: u8) -> Rgba {
-    [r, g, b, alpha]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::ui::data::Data;
+    use crate::ui::session::MaterialEntry;
+
+    fn lobes(session: &Session) -> Lobes {
+        let mut data = Data::new(None);
+        let part = |entry: &MaterialEntry| Part {
+            material: entry.id(),
+            title: entry.title(),
+            color: Color32::WHITE,
+            mesh: data.mesh(session, entry),
+            arrows: data.arrows(session, entry),
+        };
+        Lobes::of(session.materials.shown().map(part).collect(), session)
+    }
+
+    #[test]
+    fn several_lobes_share_the_scale_and_the_nearest_is_met() {
+        let mut session = Session::of("lambertian_reflection".parse().unwrap());
+        let dark = "lambertian_reflection:reflectance=0.2".parse().unwrap();
+        let dark = session.materials.add(dark).unwrap();
+        let lobes = lobes(&session);
+        let outer = session.materials.iter().next().unwrap().id();
+        let up = Ray {
+            origin: Vec3::new(0.1, 0.05, -1.0),
+            direction: Vec3::Z,
+        };
+        let inward = Ray {
+            origin: Vec3::new(0.1, 0.05, 0.5),
+            direction: Vec3::NEG_Z,
+        };
+        assert!((lobes.peak() - 0.8 / std::f64::consts::PI).abs() < 1e-12);
+        assert_eq!(lobes.hit(&inward).unwrap().1, dark, "a quarter as long");
+        let down = Ray {
+            origin: Vec3::new(0.1, 0.05, 3.0),
+            direction: Vec3::NEG_Z,
+        };
+        assert_eq!(lobes.hit(&down).unwrap().1, outer);
+        assert!(lobes.hit(&up).is_some());
+        let names: Vec<&str> = lobes.names().map(|(name, ..)| name).collect();
+        assert_eq!(names.len(), 2);
+    }
+
+    #[test]
+    fn a_wire_has_every_edge_once() {
+        let mut session = Session::of("lambertian_reflection".parse().unwrap());
+        session.lobe_surface = LobeSurface::Wire;
+        let lobes = lobes(&session);
+        let mut scene = Scene::default();
+        lobes.add_to(&mut scene, &session);
+        assert!(scene.opaque.indices.is_empty() && scene.translucent.indices.is_empty());
+        let (_, lobe) = &lobes.all[0];
+        let edges = scene.lines.len() - 1;
+        // Of a closed surface, three halves of the triangles; here it is open along the horizon.
+        let closed = 3 * lobe.triangles.len() / 2;
+        assert!(
+            edges <= closed + 200 && edges + 200 >= closed,
+            "{edges} {closed}"
+        );
+        let mut ends: Vec<_> = scene.lines.iter().map(|line| (line.a, line.b)).collect();
+        ends.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        ends.dedup();
+        assert_eq!(ends.len(), scene.lines.len());
+    }
 
     #[test]
     fn a_ray_meets_a_lambertian_lobe_where_it_should() {
-        let session = Session {
-            material: "lambertian_reflection".parse().unwrap(),
-            ..Session::default()
-        };
-        let lobe = DrawnLobe::of(&Data::new(None).mesh(&session), &session);
-        assert!((lobe.peak - 0.8 / std::f64::consts::PI).abs() < 1e-12);
+        let session = Session::of("lambertian_reflection".parse().unwrap());
+        let lobes = lobes(&session);
+        assert!((lobes.peak() - 0.8 / std::f64::consts::PI).abs() < 1e-12);
         let down = Ray {
             origin: Vec3::new(0.1, 0.05, 3.0),
             direction: Vec3::NEG_Z,
         };
         // The half sphere of radius .96, less the sagitta of a triangle of 5.6 degrees.
         let expected = 3.0 - (0.96_f32 * 0.96 - 0.0125).sqrt();
-        assert!((lobe.hit(&down).unwrap() - expected).abs() < 3e-3);
+        assert!((lobes.hit(&down).unwrap().0 - expected).abs() < 3e-3);
         let beside = Ray {
             origin: Vec3::new(2.0, 0.0, 3.0),
             direction: Vec3::NEG_Z,
         };
-        assert!(lobe.hit(&beside).is_none());
+        assert!(lobes.hit(&beside).is_none());
     }
 }

@@ -1,15 +1,17 @@
 //! What is drawn of the plot: the grid, the curves, the directions and the deltas.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
-use egui::{Align2, Color32, Pos2, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Color32, Pos2, Rect, Stroke, Ui, vec2};
 use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
 use super::radial::{Radial, at};
 use crate::analysis::Channel;
 use crate::analysis::lobe::Arrow;
 use crate::analysis::polar::{self, Point, Section};
-use crate::ui::session::{Curves, Session};
+use crate::ui::session::{Curves, Session, Slot};
+use crate::ui::theme::Dash;
 use crate::ui::widgets::draw;
 use crate::ui::{format, theme};
 
@@ -53,47 +55,66 @@ pub(super) fn draw_grid(
     plot_ui.line(line([[-1.0, 0.0], [1.0, 0.0]], (1.5, palette.axis)));
 }
 
+/// A material as the plot draws it.
+pub(super) struct Plotted {
+    pub(super) slot: Slot,
+    pub(super) is_selected: bool,
+    pub(super) section: Arc<Section>,
+    /// Its deltas in the section.
+    pub(super) arrows: Vec<Arrow>,
+}
+
 fn arcs(section: &Section) -> impl Iterator<Item = &Vec<Point>> {
     [&section.upper, &section.lower]
         .into_iter()
         .filter(|arc| !arc.is_empty())
 }
 
-/// The line of a channel's curve: colour never carries meaning alone.
-fn style(channel: Channel) -> LineStyle {
+/// The line of a curve: that of the material, or of the channel where these are told apart.
+fn dash(channel: Channel, slot: Slot) -> Dash {
     match channel {
-        Channel::Luminance | Channel::Red => LineStyle::Solid,
-        Channel::Green => LineStyle::dashed_loose(),
-        Channel::Blue => LineStyle::dotted_dense(),
+        Channel::Luminance => Dash::of(slot),
+        Channel::Red => Dash::Solid,
+        Channel::Green => Dash::Dashed,
+        Channel::Blue => Dash::Dotted,
+    }
+}
+
+fn style(dash: Dash) -> LineStyle {
+    match dash {
+        Dash::Solid => LineStyle::Solid,
+        Dash::Dashed => LineStyle::dashed_loose(),
+        Dash::Dotted => LineStyle::dotted_dense(),
     }
 }
 
 /// Where channels are equal, the later curve leaves the earlier one visible at its sides.
-fn stroke(channel: Channel, palette: &theme::Palette) -> Stroke {
+fn stroke(channel: Channel, slot: Slot, palette: &theme::Palette) -> Stroke {
     let width = match channel {
         Channel::Luminance => 1.0,
         Channel::Red => 2.0,
         Channel::Green => 1.3,
         Channel::Blue => 0.8,
     };
-    Stroke::new(width * theme::CURVE_WIDTH, palette.channel(channel))
+    Stroke::new(width * theme::CURVE_WIDTH, palette.channel(channel, slot))
 }
 
 pub(super) fn draw_curves(
     plot_ui: &mut PlotUi<'_>,
     session: &Session,
-    section: &Section,
+    plotted: &Plotted,
     radial: &Radial,
     palette: &theme::Palette,
 ) {
-    for channel in session.curves.channels() {
-        let style = style(*channel);
-        for arc in arcs(section) {
+    for channel in session.shown_curves().channels() {
+        let style = style(dash(*channel, plotted.slot));
+        for arc in arcs(&plotted.section) {
             let curve = arc
                 .iter()
                 .map(|point| at(radial.radius(channel.of(point.value)), point.angle));
             let closed = [[0.0, 0.0]].into_iter().chain(curve).chain([[0.0, 0.0]]);
-            plot_ui.line(line(closed, stroke(*channel, palette)).style(style));
+            let stroke = stroke(*channel, plotted.slot, palette);
+            plot_ui.line(line(closed, stroke).style(style));
         }
     }
 }
@@ -158,15 +179,15 @@ impl Canvas<'_> {
     pub(super) fn fill(
         &self,
         session: &Session,
-        section: &Section,
+        plotted: &Plotted,
         radial: &Radial,
         palette: &theme::Palette,
     ) {
-        if session.curves != Curves::Luminance {
+        if session.shown_curves() != Curves::Luminance {
             return;
         }
-        let color = theme::fill_of(palette.lobe);
-        for arc in arcs(section) {
+        let color = theme::fill_of(palette.material(plotted.slot));
+        for arc in arcs(&plotted.section) {
             let mut mesh = egui::Mesh::default();
             mesh.colored_vertex(self.position(0.0, 0.0), color);
             for (index, point) in arc.iter().enumerate() {
@@ -270,27 +291,20 @@ impl Canvas<'_> {
         );
     }
 
-    /// The names of the curves, where there are several.
+    /// The names of the curves of a material, where there are several.
     pub(super) fn name_curves(&self, session: &Session, palette: &theme::Palette) {
+        let slot = session.materials.selected().slot();
         let corner = self.transform.frame().left_top() + vec2(8.0, 10.0);
-        for (row, channel) in session.curves.channels().iter().enumerate() {
+        for (row, channel) in session.shown_curves().channels().iter().enumerate() {
             let Some(name) = channel.symbol() else {
                 continue;
             };
             let left = corner + vec2(0.0, 16.0 * row as f32);
-            let points = [left, left + vec2(26.0, 0.0)];
-            let stroke = stroke(*channel, palette);
+            let ends = [left, left + vec2(theme::LINE_SAMPLE, 0.0)];
             let painter = self.painter();
-            match channel {
-                Channel::Green => painter.extend(Shape::dashed_line(&points, stroke, 7.0, 5.0)),
-                Channel::Blue => {
-                    painter.extend(Shape::dotted_line(&points, stroke.color, 5.0, 1.6));
-                }
-                Channel::Luminance | Channel::Red => {
-                    painter.line_segment(points, stroke);
-                }
-            }
-            let place = left + vec2(32.0, 0.0);
+            let stroke = stroke(*channel, slot, palette);
+            draw::line(&painter, ends, stroke, dash(*channel, slot));
+            let place = left + vec2(theme::LINE_SAMPLE + 6.0, 0.0);
             painter.text(
                 place,
                 Align2::LEFT_CENTER,
@@ -301,20 +315,22 @@ impl Canvas<'_> {
         }
     }
 
-    /// Deltas: an arrow of the share of the flux as its length, 1 at the unit circle.
+    /// Its deltas: an arrow of the share of the flux as its length, 1 at the unit circle.
     pub(super) fn draw_arrows(
         &self,
         session: &Session,
-        arrows: &[Arrow],
+        plotted: &Plotted,
+        taken: &mut Vec<Rect>,
         palette: &theme::Palette,
     ) {
         let painter = self.painter();
+        let color = palette.material(plotted.slot);
         let azimuth = session.section_azimuth_deg().to_radians();
-        for arrow in arrows {
+        for arrow in &plotted.arrows {
             let share = Channel::Luminance.of(arrow.flux);
             let angle = polar::signed_angle(arrow.direction, azimuth);
             let (from, to) = (self.position(0.0, 0.0), self.position(share, angle));
-            draw::arrow(&painter, from, to, palette.delta);
+            draw::arrow(&painter, from, to, color);
             // Beside a long arrow, beyond the tip of a short one: either way clear of the horizon's numbers.
             let place = if share > 0.4 {
                 self.position(0.45 * share, angle)
@@ -328,14 +344,17 @@ impl Canvas<'_> {
                 Align2::RIGHT_CENTER
             };
             let text = format!("delta {share:.3}");
-            let place = place + outwards;
+            let font = draw::body_font(self.ui);
+            let galley = painter.layout_no_wrap(text.clone(), font.clone(), color);
+            let rect = anchor.anchor_size(place + outwards, galley.size() + vec2(6.0, 2.0));
+            let rect = draw::free_place(taken, rect);
             draw::haloed_text(
                 &painter,
-                place,
+                anchor.pos_in_rect(&rect),
                 anchor,
                 &text,
-                draw::body_font(self.ui),
-                palette.delta,
+                font,
+                color,
                 palette,
             );
         }

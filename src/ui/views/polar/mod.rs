@@ -6,12 +6,13 @@ use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi};
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::HeldLobe;
 use crate::analysis::lobe::Arrow;
-use crate::analysis::polar::{self, Section};
+use crate::analysis::polar;
 use crate::bxdf::math::frame;
 use crate::ui::data::section_request;
-use crate::ui::session::{Session, wrapped_deg};
+use crate::ui::session::{MaterialEntry, Session, wrapped_deg};
 use crate::ui::widgets::draw;
-use canvas::Canvas;
+use crate::ui::widgets::legend::{self, Sample};
+use canvas::{Canvas, Plotted};
 use radial::{Radial, at};
 
 mod canvas;
@@ -36,15 +37,10 @@ const HOVER_RADIUS: f64 = 1.12;
 const IN_PLANE: f64 = 0.02;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    let section = cx.data.section(cx.session);
-    let arrows: Vec<Arrow> = cx
-        .data
-        .arrows(cx.session)
-        .iter()
-        .copied()
-        .filter(|a| is_in_section(cx.session, a))
-        .collect();
-    let radial = Radial::of(cx.session, &section, !arrows.is_empty());
+    let plotted = plotted(cx);
+    let has_deltas = plotted.iter().any(|one| !one.arrows.is_empty());
+    let sections = plotted.iter().map(|one| &*one.section);
+    let radial = Radial::of(cx.session, sections, has_deltas);
     let has_lower = cx.state.shows_lower_half(cx.session);
     let window = window(ui.available_size(), has_lower);
     let plot = Plot::new(("polar", has_lower, ui.available_size().round().to_string()))
@@ -65,27 +61,56 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let response = plot.show(ui, |plot_ui| {
         zoom_by_scrolling(plot_ui);
         canvas::draw_grid(plot_ui, &radial, &palette, has_lower);
-        canvas::draw_curves(plot_ui, cx.session, &section, &radial, &palette);
+        for one in &plotted {
+            canvas::draw_curves(plot_ui, cx.session, one, &radial, &palette);
+        }
         canvas::draw_directions(plot_ui, cx.session, &palette);
     });
     let canvas = Canvas {
         ui,
         transform: &response.transform,
     };
-    canvas.fill(cx.session, &section, &radial, &palette);
+    // Of several only the selected one is filled: tints laid over each other are no colour of any.
+    let is_only = plotted.len() == 1;
+    for one in plotted.iter().filter(|one| one.is_selected || is_only) {
+        canvas.fill(cx.session, one, &radial, &palette);
+    }
     canvas.label_grid(&radial, &palette, has_lower);
     canvas.name_directions(cx.session, &palette);
     canvas.name_curves(cx.session, &palette);
-    canvas.draw_arrows(cx.session, &arrows, &palette);
-    if let Some(note) = note(cx, &section, &arrows) {
+    let mut taken = Vec::new();
+    for one in &plotted {
+        canvas.draw_arrows(cx.session, one, &mut taken, &palette);
+    }
+    if let Some(note) = note(cx, &plotted) {
         canvas.note(note, &palette);
     }
     let transform = response.transform;
+    legend::show(ui, *transform.frame(), Sample::Line, cx.session, &palette);
     if drag_held(ui, cx, &transform) {
         cx.state.keep_arrangement(has_lower);
     } else {
         read_out(ui, cx, &response.response, &transform, &radial, has_lower);
     }
+}
+
+/// What the plot shows, the selected material last, so that it lies over the others.
+fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let selected = session.materials.selected().id();
+    let plot = |entry: &MaterialEntry| {
+        let all = data.arrows(session, entry);
+        let in_section = all.iter().filter(|arrow| is_in_section(session, arrow));
+        Plotted {
+            slot: entry.slot(),
+            is_selected: entry.id() == selected,
+            section: data.section(session, entry),
+            arrows: in_section.copied().collect(),
+        }
+    };
+    let mut plotted: Vec<Plotted> = session.materials.shown().map(plot).collect();
+    plotted.sort_by_key(|one| one.is_selected);
+    plotted
 }
 
 /// The wheel zooms about the pointer, as in the 3D view; egui_plot would pan.
@@ -98,16 +123,24 @@ fn zoom_by_scrolling(plot_ui: &mut PlotUi<'_>) {
 }
 
 /// Why there is less to see than one might expect.
-fn note(cx: &mut ViewContext<'_>, section: &Section, arrows: &[Arrow]) -> Option<&'static str> {
-    let is_empty = section.upper.is_empty() && section.lower.is_empty() && arrows.is_empty();
-    if cx.session.held().z == 0.0 {
+fn note(cx: &mut ViewContext<'_>, plotted: &[Plotted]) -> Option<&'static str> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let is_empty = plotted.iter().all(|one| {
+        one.section.upper.is_empty() && one.section.lower.is_empty() && one.arrows.is_empty()
+    });
+    let mut shown = session.materials.shown();
+    if plotted.is_empty() {
+        Some("Every material is hidden")
+    } else if session.held().z == 0.0 {
         Some("In the surface plane a direction carries no light")
-    } else if is_empty && !cx.data.arrows(cx.session).is_empty() {
+    } else if is_empty && shown.any(|entry| !data.arrows(session, entry).is_empty()) {
         Some("The deltas lie outside this section")
     } else if is_empty {
         Some("No light leaves: total internal reflection, or all is absorbed")
-    } else if !cx.session.section_holds_held() {
+    } else if !session.section_holds_held() {
         Some("Dashed: outside this section, drawn at its θ")
+    } else if session.curves != session.shown_curves() {
+        Some("Luminance: R, G and B are drawn where one material is shown")
     } else {
         None
     }
@@ -181,7 +214,9 @@ fn read_out(
         return;
     }
     let angle = place.x.atan2(place.y);
-    let surface = cx.data.surface(cx.session);
+    let entry = cx.session.materials.selected();
+    let (material, slot) = (entry.id(), entry.slot());
+    let surface = cx.data.surface(cx.session, entry);
     let request = section_request(cx.session);
     let value = polar::value_at(
         &HeldLobe::new(&**surface, cx.session.hold, cx.session.held()),
@@ -190,6 +225,7 @@ fn read_out(
     );
     let w = polar::direction(angle, request.phi);
     let cursor = Cursor {
+        material,
         theta_deg: frame::theta(w).to_degrees(),
         phi_deg: wrapped_deg(frame::phi(w).to_degrees()),
         value,
@@ -200,12 +236,12 @@ fn read_out(
         transform.position_from_point(&PlotPoint::new(x, y))
     };
     painter.line_segment([position(0.0), position(1.0)], (1.0, cx.palette.faint_ink));
-    for channel in cx.session.curves.channels() {
+    for channel in cx.session.shown_curves().channels() {
         let tip = position(radial.radius(channel.of(value)).min(1.0));
         painter.circle(
             tip,
             4.0,
-            cx.palette.channel(*channel),
+            cx.palette.channel(*channel, slot),
             (1.5, cx.palette.background),
         );
     }

@@ -16,18 +16,22 @@ pub(super) struct Radial {
 }
 
 impl Radial {
-    pub(super) fn of(session: &Session, section: &Section, has_deltas: bool) -> Self {
-        let channels = session.curves.channels();
+    /// The scale that holds all `sections`.
+    pub(super) fn of<'a>(
+        session: &Session,
+        sections: impl IntoIterator<Item = &'a Section>,
+        has_deltas: bool,
+    ) -> Self {
+        let channels = session.shown_curves().channels();
         let shown = |point: &Point| {
             channels
                 .iter()
                 .map(|c| c.of(point.value))
                 .fold(0.0, f64::max)
         };
-        let peak = section
-            .upper
-            .iter()
-            .chain(&section.lower)
+        let peak = sections
+            .into_iter()
+            .flat_map(|section| section.upper.iter().chain(&section.lower))
             .map(shown)
             .fold(0.0, f64::max);
         if peak <= 0.0 {
@@ -106,7 +110,7 @@ mod tests {
         };
         let mut session = Session::default();
         for peak in [0.01, 0.2546, 1.0, 3.7e6] {
-            let radial = Radial::of(&session, &section(peak), false);
+            let radial = Radial::of(&session, [&section(0.01), &section(peak)], false);
             assert!(
                 radial.full >= peak * (1.0 - 1e-9) && radial.full <= 1.7 * peak,
                 "{peak}: {}",
@@ -120,11 +124,11 @@ mod tests {
             assert!((radial.radius(*radial.ticks.last().unwrap()) - 1.0).abs() < 1e-9);
         }
         session.scale = RadialScale::Logarithmic { decades: 4.0 };
-        let radial = Radial::of(&session, &section(0.2546), true);
+        let radial = Radial::of(&session, [&section(0.2546)], true);
         assert_eq!(radial.ticks.len(), 4);
         assert!((radial.full - 1.0).abs() < 1e-12);
         assert_eq!(
-            Radial::of(&session, &Section::default(), true).quantity,
+            Radial::of(&session, &[], true).quantity,
             "share of the flux"
         );
     }

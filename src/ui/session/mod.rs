@@ -11,6 +11,11 @@ use crate::bxdf::math::frame;
 use crate::bxdf::{Material, Side, models};
 use crate::error::{Error, Result};
 
+mod materials;
+mod stored;
+
+pub use materials::{EntryId, MAX_MATERIALS, MaterialEntry, Materials, Slot};
+
 /// Which curves the polar plot draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -33,6 +38,19 @@ impl Curves {
     }
 }
 
+/// How the 3D view draws a lobe.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LobeSurface {
+    /// As a body that hides what is behind it.
+    #[default]
+    Solid,
+    /// As the edges of its mesh.
+    Wire,
+    /// As a skin one sees through.
+    Translucent,
+}
+
 /// How many decades a logarithmic scale shows.
 pub const DECADES: f64 = 4.0;
 
@@ -43,8 +61,9 @@ const DECADES_RANGE: RangeInclusive<f64> = 1.0..=16.0;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Session {
-    /// The material shown.
-    pub material: Material,
+    /// The materials; a file may also give one by itself, as `material`.
+    #[serde(alias = "material")]
+    pub materials: Materials,
     /// Which direction is held.
     pub hold: Hold,
     /// Polar angle of the held direction from n, in degrees, 0..180.
@@ -58,10 +77,12 @@ pub struct Session {
     pub section_phi_deg: Option<f64>,
     /// The radial scale of both views.
     pub scale: RadialScale,
-    /// The curves of the polar plot.
+    /// The curves of the polar plot, where it shows one material: several have their luminance drawn.
     pub curves: Curves,
     /// Whether values carry |cos(theta)| of the free direction.
     pub with_cosine: bool,
+    /// How the 3D view draws the lobes.
+    pub lobe_surface: LobeSurface,
     /// Whether the 3D view draws theta, phi and the projection of the held direction.
     pub show_geometry: bool,
     /// The camera of the 3D view.
@@ -72,7 +93,7 @@ impl Default for Session {
     /// A start worth looking at: rough gold, lit from the left at 50 degrees.
     fn default() -> Self {
         Self {
-            material: Material::of(models::START),
+            materials: Materials::of(Material::of(models::START)),
             hold: Hold::Light,
             theta_deg: 50.0,
             phi_deg: 180.0,
@@ -81,6 +102,7 @@ impl Default for Session {
             scale: RadialScale::Linear,
             curves: Curves::Luminance,
             with_cosine: false,
+            lobe_surface: LobeSurface::Solid,
             show_geometry: false,
             camera: OrbitCamera::default(),
         }
@@ -88,19 +110,30 @@ impl Default for Session {
 }
 
 impl Session {
+    /// The start, with this material.
+    #[must_use]
+    pub fn of(material: Material) -> Self {
+        Self {
+            materials: Materials::of(material),
+            ..Self::default()
+        }
+    }
+
+    /// The selected material.
+    #[must_use]
+    pub fn material(&self) -> &Material {
+        &self.materials.selected().material
+    }
+
     /// Reads a session from TOML text; `place` names it in errors.
     ///
     /// # Errors
     /// [`Error::Parse`] where the text is no session or an angle is out of range.
     pub fn from_toml(text: &str, place: &str) -> Result<Self> {
         let mut session: Self = toml::from_str(text).map_err(|error| {
-            let line = error.span().map_or(1, |span| {
-                text.get(..span.start)
-                    .unwrap_or_default()
-                    .lines()
-                    .count()
-                    .max(1)
-            });
+            let start = error.span().map_or(0, |span| span.start);
+            let before = text.get(..start).unwrap_or_default();
+            let line = before.matches('\n').count() + 1;
             Error::parse(
                 format!("{place}: line {line}"),
                 error.message().replace('\n', " "),
@@ -167,7 +200,18 @@ impl Session {
     /// Whether the views show what is below the surface: where light can cross it, or comes from below.
     #[must_use]
     pub fn shows_lower_half(&self) -> bool {
-        self.material.has_side(Side::Transmission) || self.theta_deg > 90.0
+        let is_crossed = |entry: &MaterialEntry| entry.material.has_side(Side::Transmission);
+        self.theta_deg > 90.0 || self.materials.shown().any(is_crossed)
+    }
+
+    /// The curves that the polar plot draws.
+    #[must_use]
+    pub fn shown_curves(&self) -> Curves {
+        if self.materials.is_overlay() {
+            Curves::Luminance
+        } else {
+            self.curves
+        }
     }
 
     /// The azimuth of the polar plot's section, in degrees, -90 (excluded) to 90: the half that is drawn to the right.
@@ -216,7 +260,7 @@ mod tests {
     #[test]
     fn toml_round_trips() {
         let session = Session {
-            material: "oren_nayar:sigma=35".parse().unwrap(),
+            materials: Materials::of("oren_nayar:sigma=35".parse().unwrap()),
             hold: Hold::Viewer,
             scale: RadialScale::Logarithmic { decades: 3.0 },
             section_phi_deg: Some(30.0),

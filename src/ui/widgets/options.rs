@@ -1,0 +1,128 @@
+//! The bar at the top: what to try first, and how values are drawn in all views.
+
+use egui::{RichText, ThemePreference, Ui};
+
+use crate::analysis::RadialScale;
+use crate::ui::session::{Curves, DECADES, LobeSurface, Session};
+
+/// The line that says what to try first.
+const FIRST_STEP: &str = "Try this: drag the round handle of the light, then pick another kind of reflection on the left";
+
+/// How a lobe may be drawn: the name and what it is good for.
+const SURFACES: [(LobeSurface, &str, &str); 3] = [
+    (
+        LobeSurface::Solid,
+        "Solid",
+        "Lobes as bodies that hide what is behind them",
+    ),
+    (
+        LobeSurface::Wire,
+        "Wire",
+        "Lobes as the edges of their meshes: shows where the mesh is fine, and lobes inside one another",
+    ),
+    (
+        LobeSurface::Translucent,
+        "Translucent",
+        "Lobes as skins one sees through: shows lobes inside one another",
+    ),
+];
+
+/// The bar; it changes the session and the theme.
+pub fn show(ui: &mut Ui, session: &mut Session) {
+    ui.horizontal(|ui| {
+        ui.label(RichText::new("BRDF Explorer").heading());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            theme_choice(ui);
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                ui.add(egui::Label::new(RichText::new(FIRST_STEP).weak()).truncate());
+            });
+        });
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Radius");
+        let mut is_logarithmic = session.scale.is_logarithmic();
+        ui.selectable_value(&mut is_logarithmic, false, "Linear")
+            .on_hover_text("Lengths in proportion to f");
+        ui.selectable_value(&mut is_logarithmic, true, "Logarithmic")
+            .on_hover_text("Lengths by decades below the peak: shows the tails of a narrow lobe");
+        if is_logarithmic != session.scale.is_logarithmic() {
+            session.scale = if is_logarithmic {
+                RadialScale::Logarithmic { decades: DECADES }
+            } else {
+                RadialScale::Linear
+            };
+        }
+        ui.checkbox(&mut session.with_cosine, "Times cos θ")
+            .on_hover_text(
+                "Show f |cos θ| of the free direction: the flux, rather than the radiance",
+            );
+        ui.separator();
+        ui.label("Curves");
+        curves(ui, session);
+        ui.separator();
+        ui.label("Section");
+        section(ui, session);
+        ui.separator();
+        ui.label("Lobe");
+        for (surface, name, hint) in SURFACES {
+            ui.selectable_value(&mut session.lobe_surface, surface, name)
+                .on_hover_text(hint);
+        }
+    });
+}
+
+/// The curves of the polar plot; several materials have one each.
+fn curves(ui: &mut Ui, session: &mut Session) {
+    if session.materials.is_overlay() {
+        let mut is_luminance = true;
+        ui.toggle_value(&mut is_luminance, "Luminance")
+            .on_hover_text("One curve of the luminance for each material");
+        ui.add_enabled(false, egui::Button::selectable(false, "R, G, B"))
+            .on_disabled_hover_text(
+                "Drawn where one material is shown: show it alone, or hide the others",
+            );
+        return;
+    }
+    ui.selectable_value(&mut session.curves, Curves::Luminance, "Luminance")
+        .on_hover_text("One curve of the luminance");
+    ui.selectable_value(&mut session.curves, Curves::Rgb, "R, G, B")
+        .on_hover_text("Three curves, one for each channel");
+}
+
+/// Dark, light, or as the system has it.
+fn theme_choice(ui: &mut Ui) {
+    let mut preference = ui.options(|options| options.theme_preference);
+    for (choice, name) in [
+        (ThemePreference::System, "System"),
+        (ThemePreference::Light, "Light"),
+        (ThemePreference::Dark, "Dark"),
+    ] {
+        let response = ui.selectable_value(&mut preference, choice, name);
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label(format!("{name} theme")));
+    }
+    ui.label("Theme");
+    ui.ctx().set_theme(preference);
+}
+
+fn section(ui: &mut Ui, session: &mut Session) {
+    let mut is_free = session.section_phi_deg.is_some();
+    ui.selectable_value(&mut is_free, false, "Incidence plane")
+        .on_hover_text("The polar plot cuts the lobe along the plane of the held direction and n");
+    ui.selectable_value(&mut is_free, true, "Azimuth")
+        .on_hover_text("The polar plot cuts the lobe along any azimuth");
+    match (is_free, session.section_phi_deg) {
+        (true, None) => session.section_phi_deg = Some(session.section_azimuth_deg()),
+        (false, Some(_)) => session.section_phi_deg = None,
+        _ => {}
+    }
+    if let Some(phi) = &mut session.section_phi_deg {
+        let field = egui::DragValue::new(phi)
+            .range(-90.0..=90.0)
+            .suffix("°")
+            .speed(1.0);
+        let response = ui.add(field).on_hover_text("Azimuth of the section from s");
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label("Section azimuth"));
+    }
+}
