@@ -8,7 +8,6 @@ use super::{energy, say};
 use crate::bxdf::Material;
 use crate::bxdf::material::{self, library};
 use crate::bxdf::math::Real;
-use crate::bxdf::models::{self, MODELS};
 use crate::error::{Error, Result};
 
 /// The word that stands for standard input or output.
@@ -60,32 +59,10 @@ pub(super) fn material(text: &str) -> Result<Given> {
         });
     }
     Ok(Given {
-        material: by_id(text)?,
+        material: library::read(text)?,
         text: text.to_owned(),
         is_file: false,
     })
-}
-
-/// Reads what stands in no file.
-fn by_id(text: &str) -> Result<Material> {
-    let (id, parameters) = text
-        .split_once(':')
-        .map_or((text.trim(), None), |(id, rest)| (id.trim(), Some(rest)));
-    if models::find(id).is_ok() {
-        return text.parse();
-    }
-    match (library::find(id), parameters) {
-        (Ok(named), None) => Ok(named.material.clone()),
-        (Ok(_), Some(_)) => Err(Error::parse(
-            format!("material '{text}'"),
-            "a named material takes no parameters; write a .toml file, or name a model",
-        )),
-        (Err(_), _) => {
-            let models = MODELS.into_iter().map(|model| model.id);
-            let named = library::all().iter().map(|named| named.id);
-            Err(Error::unknown("material", id, models.chain(named)))
-        }
-    }
 }
 
 /// A precision, by name.
@@ -205,23 +182,6 @@ mod tests {
             ("30,", "phi '': expected a finite number of degrees"),
         ] {
             assert_eq!(angles(text).unwrap_err().to_string(), expected);
-        }
-    }
-
-    #[test]
-    fn materials_go_by_the_ids_of_both_lists() {
-        assert_eq!(by_id("gold").unwrap().name, "Gold");
-        assert_eq!(by_id("phong").unwrap().name, "");
-        for (text, expected) in [
-            ("golf", "unknown material 'golf'; nearest: gold"),
-            ("oren", "unknown material 'oren'; nearest: oren_nayar"),
-            (
-                "gold:alpha=0.2",
-                "material 'gold:alpha=0.2': a named material takes no parameters",
-            ),
-        ] {
-            let line = by_id(text).unwrap_err().to_string();
-            assert!(line.starts_with(expected), "{line}");
         }
     }
 

@@ -1,9 +1,11 @@
 //! The window, and pictures of it. The only module that knows egui.
 
 pub mod app;
+pub mod commands;
 pub mod data;
 pub mod format;
 pub mod headless;
+pub mod history;
 pub mod memo;
 pub mod scene3d;
 pub mod session;

@@ -19,6 +19,8 @@ pub const SIDE_WIDTH: f32 = 292.0;
 pub const SCROLL_ROOM: f32 = 12.0;
 /// The width of a drop-down, in points.
 pub const COMBO_WIDTH: f32 = 118.0;
+/// The width of a drop-down of short words in a bar, in points.
+pub const SHORT_COMBO_WIDTH: f32 = 88.0;
 /// The width of the number beside a slider, in points.
 pub const NUMBER_WIDTH: f32 = 52.0;
 /// The width of the reset button at the end of a row, in points.
@@ -33,6 +35,12 @@ pub const SHARE_BAR: Vec2 = Vec2::new(120.0, 12.0);
 pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
 /// The height of a row of a legend, in points.
 pub const LEGEND_ROW: f32 = 17.0;
+/// The size of the grip by which a row is dragged, in points.
+pub const GRIP: Vec2 = Vec2::new(12.0, 16.0);
+/// The strength of the colour of a material that is not shown.
+pub const HIDDEN_STRENGTH: f32 = 0.35;
+/// The most characters of a name.
+pub const LONGEST_NAME: usize = 60;
 /// The length of a sample of a line, in points.
 pub const LINE_SAMPLE: f32 = 24.0;
 /// Lengths of a dash and of the gap after it, in points.

@@ -2,7 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a failed step is a failed test")]
 
+mod history;
 mod interaction;
+mod list;
 mod materials;
 mod overlay;
 mod render;

@@ -107,6 +107,8 @@ fn lobes_are_drawn_as_chosen() {
         ("Translucent", LobeSurface::Translucent),
         ("Solid", LobeSurface::Solid),
     ] {
+        harness.get_by_label("Surface of lobes").click();
+        harness.run();
         harness.get_by_label(label).click();
         harness.run();
         assert_eq!(harness.state().session.lobe_surface, surface);

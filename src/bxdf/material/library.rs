@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::{Material, file};
+use crate::bxdf::models::{self, MODELS};
 use crate::error::{Error, Result};
 
 /// The files. Their folder is the one list of them.
@@ -51,6 +52,32 @@ pub fn find(id: &str) -> Result<&'static Named> {
         .iter()
         .find(|named| named.id == id)
         .ok_or_else(|| Error::unknown("material", id, all().iter().map(|named| named.id)))
+}
+
+/// Reads a material that stands in no file: a model as `id` or `id:name=value,name=value`, or the id of a material of the
+/// library.
+///
+/// # Errors
+/// [`Error::UnknownId`], with the nearest ids of both; [`Error::Parameter`] and [`Error::Parse`] for the parameters.
+pub fn read(text: &str) -> Result<Material> {
+    let (id, parameters) = text
+        .split_once(':')
+        .map_or((text.trim(), None), |(id, rest)| (id.trim(), Some(rest)));
+    if models::find(id).is_ok() {
+        return text.parse();
+    }
+    match (find(id), parameters) {
+        (Ok(named), None) => Ok(named.material.clone()),
+        (Ok(_), Some(_)) => Err(Error::parse(
+            format!("material '{text}'"),
+            "a named material takes no parameters; write a .toml file, or name a model",
+        )),
+        (Err(_), _) => {
+            let models = MODELS.into_iter().map(|model| model.id);
+            let named = all().iter().map(|named| named.id);
+            Err(Error::unknown("material", id, models.chain(named)))
+        }
+    }
 }
 
 /// The material of the library that `material` is, or was before its components were changed: the one of its name.
@@ -121,5 +148,22 @@ mod tests {
             line.starts_with("unknown material 'golf'; nearest: gold"),
             "{line}"
         );
+    }
+
+    #[test]
+    fn materials_go_by_the_ids_of_both_lists() {
+        assert_eq!(read("gold").unwrap().name, "Gold");
+        assert_eq!(read("phong").unwrap().name, "");
+        for (text, expected) in [
+            ("golf", "unknown material 'golf'; nearest: gold"),
+            ("oren", "unknown material 'oren'; nearest: oren_nayar"),
+            (
+                "gold:alpha=0.2",
+                "material 'gold:alpha=0.2': a named material takes no parameters",
+            ),
+        ] {
+            let line = read(text).unwrap_err().to_string();
+            assert!(line.starts_with(expected), "{line}");
+        }
     }
 }

@@ -65,6 +65,16 @@ impl MaterialEntry {
         }
     }
 
+    /// Gives it this name; nothing, or the name of the material, is no name of its own.
+    pub fn rename(&mut self, name: &str) {
+        let name = name.trim();
+        self.name = if name == self.material.title() {
+            String::new()
+        } else {
+            name.to_owned()
+        };
+    }
+
     /// Replaces the material; its widths are linked where they are equal.
     pub fn replace(&mut self, material: Material) {
         self.has_linked_widths = has_equal_widths(&material);

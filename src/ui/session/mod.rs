@@ -1,6 +1,6 @@
 //! The session: all that is saved, shared and shown; everything else on the screen follows from it.
 
-use std::ops::RangeInclusive;
+use std::collections::BTreeSet;
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -9,12 +9,17 @@ use super::scene3d::OrbitCamera;
 use crate::analysis::{Channel, Hold, RadialScale};
 use crate::bxdf::math::frame;
 use crate::bxdf::{Material, Side, models};
-use crate::error::{Error, Result};
 
+mod file;
 mod materials;
 mod stored;
+mod text;
+mod ties;
 
+pub use file::VERSION;
 pub use materials::{EntryId, MAX_MATERIALS, MaterialEntry, Materials, Slot};
+pub use text::{MAX_TEXT, Opened, pasted, read};
+pub use ties::WIDTHS;
 
 /// Which curves the polar plot draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,8 +47,10 @@ impl Curves {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LobeSurface {
-    /// As a body that hides what is behind it.
+    /// One alone as a body, several as skins.
     #[default]
+    Automatic,
+    /// As a body that hides what is behind it.
     Solid,
     /// As the edges of its mesh.
     Wire,
@@ -54,9 +61,6 @@ pub enum LobeSurface {
 /// How many decades a logarithmic scale shows.
 pub const DECADES: f64 = 4.0;
 
-/// The decades that a session may ask for: beyond 16 a double has no digits left to show.
-const DECADES_RANGE: RangeInclusive<f64> = 1.0..=16.0;
-
 /// What is on the screen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -64,6 +68,9 @@ pub struct Session {
     /// The materials; a file may also give one by itself, as `material`.
     #[serde(alias = "material")]
     pub materials: Materials,
+    /// The names of parameters that are locked across materials: a change of one changes all that have it.
+    #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+    pub locked: BTreeSet<String>,
     /// Which direction is held.
     pub hold: Hold,
     /// Polar angle of the held direction from n, in degrees, 0..180.
@@ -94,6 +101,7 @@ impl Default for Session {
     fn default() -> Self {
         Self {
             materials: Materials::of(Material::of(models::START)),
+            locked: BTreeSet::new(),
             hold: Hold::Light,
             theta_deg: 50.0,
             phi_deg: 180.0,
@@ -102,7 +110,7 @@ impl Default for Session {
             scale: RadialScale::Linear,
             curves: Curves::Luminance,
             with_cosine: false,
-            lobe_surface: LobeSurface::Solid,
+            lobe_surface: LobeSurface::Automatic,
             show_geometry: false,
             camera: OrbitCamera::default(),
         }
@@ -123,62 +131,6 @@ impl Session {
     #[must_use]
     pub fn material(&self) -> &Material {
         &self.materials.selected().material
-    }
-
-    /// Reads a session from TOML text; `place` names it in errors.
-    ///
-    /// # Errors
-    /// [`Error::Parse`] where the text is no session or an angle is out of range.
-    pub fn from_toml(text: &str, place: &str) -> Result<Self> {
-        let mut session: Self = toml::from_str(text).map_err(|error| {
-            let start = error.span().map_or(0, |span| span.start);
-            let before = text.get(..start).unwrap_or_default();
-            let line = before.matches('\n').count() + 1;
-            Error::parse(
-                format!("{place}: line {line}"),
-                error.message().replace('\n', " "),
-            )
-        })?;
-        let angles = [
-            ("theta_deg", session.theta_deg, 0.0, 180.0),
-            ("phi_deg", session.phi_deg, -360.0, 360.0),
-            ("rotation_deg", session.rotation_deg, -360.0, 360.0),
-            (
-                "section_phi_deg",
-                session.section_phi_deg.unwrap_or(0.0),
-                -360.0,
-                360.0,
-            ),
-        ];
-        for (name, value, min, max) in angles {
-            if !(min..=max).contains(&value) {
-                return Err(Error::parse(
-                    place,
-                    format!("{name} = {value}: allowed is {min} to {max} degrees"),
-                ));
-            }
-        }
-        session.phi_deg = wrapped_deg(session.phi_deg);
-        session.rotation_deg = wrapped_deg(session.rotation_deg);
-        session.section_phi_deg = session.section_phi_deg.map(folded_deg);
-        if let RadialScale::Logarithmic { decades } = session.scale
-            && !DECADES_RANGE.contains(&decades)
-        {
-            let [low, high] = [DECADES_RANGE.start(), DECADES_RANGE.end()];
-            return Err(Error::parse(
-                place,
-                format!("decades = {decades}: allowed is {low} to {high}"),
-            ));
-        }
-        Ok(session)
-    }
-
-    /// The session as TOML text.
-    ///
-    /// # Errors
-    /// [`Error::Parse`] if it cannot be written, which no session does.
-    pub fn to_toml(&self) -> Result<String> {
-        toml::to_string(self).map_err(|error| Error::parse("session", error.to_string()))
     }
 
     /// The held direction, a unit vector.
@@ -256,44 +208,6 @@ pub fn wrapped_deg(angle_deg: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn toml_round_trips() {
-        let session = Session {
-            materials: Materials::of("oren_nayar:sigma=35".parse().unwrap()),
-            hold: Hold::Viewer,
-            scale: RadialScale::Logarithmic { decades: 3.0 },
-            section_phi_deg: Some(30.0),
-            ..Session::default()
-        };
-        let text = session.to_toml().unwrap();
-        assert_eq!(Session::from_toml(&text, "test").unwrap(), session);
-        assert_eq!(Session::from_toml("", "test").unwrap(), Session::default());
-    }
-
-    #[test]
-    fn broken_sessions_name_the_line() {
-        for (text, expected) in [
-            ("hold = \"light\"\ntheta_deg = \"steep\"", "s.toml: line 2"),
-            (
-                "theta_deg = 200.0",
-                "theta_deg = 200: allowed is 0 to 180 degrees",
-            ),
-            ("material = \"gold\"", "unknown model 'gold'"),
-            ("flavour = 1", "unknown field"),
-            (
-                "scale = { logarithmic = { decades = 1e6 } }",
-                "decades = 1000000: allowed is 1 to 16",
-            ),
-            (
-                "scale = { logarithmic = { decades = nan } }",
-                "decades = NaN: allowed is 1 to 16",
-            ),
-        ] {
-            let line = Session::from_toml(text, "s.toml").unwrap_err().to_string();
-            assert!(line.contains(expected) && !line.contains('\n'), "{line}");
-        }
-    }
 
     #[test]
     fn azimuths_wrap() {

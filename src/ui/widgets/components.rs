@@ -3,7 +3,7 @@
 use egui::collapsing_header::{CollapsingState, paint_default_icon};
 use egui::{Align, Button, Layout, Response, RichText, Role, Ui, WidgetInfo};
 
-use super::params;
+use super::params::{self, Ties};
 use crate::bxdf::material::{MAX_COMPONENTS, library};
 use crate::bxdf::models::MODELS;
 use crate::bxdf::param::Value;
@@ -24,7 +24,7 @@ pub struct Components {
 
 impl Components {
     /// What is said of `material` and its components, one below the other; lobes can be added and removed.
-    pub fn show(&mut self, ui: &mut Ui, material: &mut Material) {
+    pub fn show(&mut self, ui: &mut Ui, material: &mut Material, ties: &mut Ties<'_>) {
         describe(ui, material);
         let mut components = material.components().to_vec();
         let is_mixture = components.len() > 1;
@@ -36,8 +36,8 @@ impl Components {
             }
             ui.push_id(index, |ui| {
                 if !is_mixture {
-                    show_only(ui, component);
-                } else if show_one_of_many(ui, component, index + 1) {
+                    show_only(ui, component, ties);
+                } else if show_one_of_many(ui, component, index + 1, ties) {
                     removed = Some(index);
                 }
             });
@@ -71,20 +71,14 @@ fn describe(ui: &mut Ui, material: &mut Material) {
     if material.name.is_empty() {
         return;
     }
-    let mut original = None;
+    let mut is_reset = false;
     ui.horizontal(|ui| {
         let name = ui.label(RichText::new(&material.name).heading());
         hint_source(name, material);
         if let Some(named) = library::origin(material) {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let is_edited = named.material != *material;
-                let name = format!("Reset {}", material.name);
-                let reset = ui
-                    .add_enabled(is_edited, Button::new("↺").small().frame(false))
-                    .on_hover_text("Reset to the material of the list");
-                reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
-                original = reset.clicked().then_some(&named.material);
-            });
+            let is_edited = named.material != *material;
+            let hint = "Reset to the material of the list";
+            is_reset = reset_all(ui, &material.name, is_edited, hint);
         }
     });
     if !material.note.is_empty() {
@@ -92,8 +86,37 @@ fn describe(ui: &mut Ui, material: &mut Material) {
         hint_source(note, material);
     }
     ui.add_space(4.0);
-    if let Some(original) = original {
-        material.clone_from(original);
+    if let Some(named) = library::origin(material).filter(|_| is_reset) {
+        material.clone_from(&named.material);
+    }
+}
+
+/// The button at the end of a row that resets all parameters of `what`. Returns whether it is clicked.
+fn reset_all(ui: &mut Ui, what: &str, is_edited: bool, hint: &str) -> bool {
+    let layout = Layout::right_to_left(Align::Center);
+    ui.with_layout(layout, |ui| {
+        let reset = ui
+            .add_enabled(is_edited, Button::new("↺").small().frame(false))
+            .on_hover_text(hint);
+        let name = format!("Reset {what}");
+        reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
+        reset.clicked()
+    })
+    .inner
+}
+
+/// The title of the model of `component`, with what becomes of all its parameters; `ordinal` where there are several.
+fn reset_component(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>) {
+    let model = component.model();
+    let what = ordinal.map_or_else(
+        || format!("all of {}", model.title),
+        |ordinal| format!("all of lobe {ordinal}, {}", model.title),
+    );
+    let defaults = Component::of(model);
+    let is_edited = component.params() != defaults.params();
+    if reset_all(ui, &what, is_edited, "Reset all parameters of this model") {
+        // A model takes its own defaults.
+        let _ = component.set_all(defaults.params());
     }
 }
 
@@ -105,20 +128,28 @@ fn hint_source(said: Response, material: &Material) {
 }
 
 /// The only component: its weight goes without saying, unless a file gave it one.
-fn show_only(ui: &mut Ui, component: &mut Component) {
+fn show_only(ui: &mut Ui, component: &mut Component, ties: &mut Ties<'_>) {
     let model = component.model();
-    ui.label(RichText::new(model.title).strong())
-        .on_hover_text(model.source);
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(model.title).strong())
+            .on_hover_text(model.source);
+        reset_component(ui, component, None);
+    });
     ui.label(RichText::new(model.summary).small());
     ui.add_space(2.0);
     if component.weight() != 1.0 {
         params::show_weight(ui, component, None);
     }
-    params::show(ui, component, None);
+    params::show(ui, component, None, ties);
 }
 
 /// A component of several, under a header. `ordinal`: its number, from 1. Returns whether it is to be removed.
-fn show_one_of_many(ui: &mut Ui, component: &mut Component, ordinal: usize) -> bool {
+fn show_one_of_many(
+    ui: &mut Ui,
+    component: &mut Component,
+    ordinal: usize,
+    ties: &mut Ties<'_>,
+) -> bool {
     let model = component.model();
     let id = ui.make_persistent_id("parameters");
     let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, true);
@@ -138,10 +169,13 @@ fn show_one_of_many(ui: &mut Ui, component: &mut Component, ordinal: usize) -> b
             let name = format!("Remove lobe {ordinal}, {}", model.title);
             remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
             is_removed = remove.clicked();
+            reset_component(ui, component, Some(ordinal));
         });
     });
     params::show_weight(ui, component, Some(ordinal));
-    state.show_body_unindented(ui, |ui| params::show(ui, component, Some(ordinal)));
+    state.show_body_unindented(ui, |ui| {
+        params::show(ui, component, Some(ordinal), ties);
+    });
     ui.separator();
     is_removed
 }

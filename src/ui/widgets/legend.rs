@@ -1,12 +1,14 @@
 //! The legend of a view that shows several materials.
 
+use std::sync::Arc;
+
 use egui::{
-    FontSelection, Pos2, Rect, RichText, Role, Sense, TextWrapMode, Ui, WidgetInfo, WidgetText,
-    vec2,
+    Align2, FontSelection, Rect, RichText, Role, Sense, TextWrapMode, Ui, WidgetInfo, WidgetText,
+    pos2, vec2,
 };
 
 use super::draw;
-use crate::ui::session::{MaterialEntry, Session};
+use crate::ui::session::{EntryId, MaterialEntry, Session};
 use crate::ui::theme::{self, Dash, Palette};
 
 /// What stands before a name.
@@ -18,110 +20,129 @@ pub enum Sample {
     Patch,
 }
 
-/// The share of the view that the legend may cover.
-const LARGEST: egui::Vec2 = vec2(0.34, 0.6);
+/// The most rows of names: as many as leave room for the view.
+const MAX_ROWS: usize = 4;
 
-/// The distance from the corner of the view.
-const MARGIN: egui::Vec2 = vec2(6.0, 6.0);
+/// Between the sample and the name, and between two entries, in points.
+const GAPS: [f32; 2] = [6.0, 14.0];
 
-/// The names of the materials in the upper left corner of `frame`; a click selects one. A single one needs no legend.
-pub fn show(ui: &Ui, frame: Rect, sample: Sample, session: &mut Session, palette: &Palette) {
+/// An entry of the legend, laid out.
+struct Item<'a> {
+    entry: &'a MaterialEntry,
+    title: String,
+    text: Arc<egui::Galley>,
+    /// Its place, counted from the corner of the legend.
+    place: Rect,
+}
+
+/// The names of the materials shown, above a view; a click selects one. A single one needs no legend.
+pub fn show(ui: &mut Ui, sample: Sample, session: &mut Session, palette: &Palette) {
     if !session.materials.is_overlay() {
         return;
     }
-    let width = LARGEST.x * frame.width();
-    let row_at = |row: usize| {
-        let corner = frame.left_top() + MARGIN + vec2(0.0, row as f32 * theme::LEGEND_ROW);
-        Rect::from_min_size(corner, vec2(width, theme::LEGEND_ROW))
-    };
-    let fitting = (LARGEST.y * frame.height() / theme::LEGEND_ROW).max(1.0) as usize;
-    let count = session.materials.shown().count();
-    // The last row says how many are left out.
-    let rows = if count > fitting { fitting - 1 } else { count };
+    let items = items(ui, session);
+    let left_out = session.materials.shown().count() - items.len();
+    let last = items.last().map_or(Rect::ZERO, |item| item.place);
+    let width = ui.available_width();
+    let (legend, _) = ui.allocate_exact_size(vec2(width, last.bottom()), Sense::hover());
     let selected = session.materials.selected().id();
-    let mut chosen = None;
-    for (row, entry) in session.materials.shown().take(rows).enumerate() {
-        let title = session.materials.title(entry);
-        let id = ui.scope_id().with(("legend", entry.id()));
-        let response = ui.interact(row_at(row), id, Sense::click());
-        let is_selected = entry.id() == selected;
-        let name = format!("Legend: {title}");
+    let mut chosen: Option<EntryId> = None;
+    for item in &items {
+        let rect = item.place.translate(legend.min.to_vec2());
+        let id = ui.scope_id().with(("legend", item.entry.id()));
+        let response = ui.interact(rect, id, Sense::click());
+        let is_selected = item.entry.id() == selected;
+        let name = format!("Legend: {}", item.title);
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &name));
         let is_strong = is_selected || response.hovered();
-        draw_row(ui, row_at(row), sample, entry, (&title, is_strong), palette);
-        if response
-            .on_hover_text(format!(
-                "{title}\nClick to select it: the panel at the side edits it"
-            ))
-            .clicked()
-        {
-            chosen = Some(entry.id());
+        draw_item(ui, rect, sample, item, is_strong, palette);
+        let hint = format!(
+            "{}\nClick to select it: the panel at the side edits it",
+            item.title
+        );
+        if response.on_hover_text(hint).clicked() {
+            chosen = Some(item.entry.id());
         }
     }
-    if count > rows {
-        let place = row_at(rows).left_center();
-        let text = format!("and {} more", count - rows);
-        let font = draw::small_font(ui);
-        ui.painter_at(frame).text(
-            place,
-            egui::Align2::LEFT_CENTER,
-            text,
-            font,
-            palette.faint_ink,
-        );
+    if left_out > 0 {
+        let place = legend.min + last.right_center().to_vec2() + vec2(GAPS[1], 0.0);
+        let (text, font) = (format!("and {left_out} more"), draw::small_font(ui));
+        ui.painter()
+            .text(place, Align2::LEFT_CENTER, text, font, palette.faint_ink);
     }
     if let Some(id) = chosen {
         session.materials.select(id);
     }
 }
 
-/// A row: the sample, and the name as far as it fits; `is_strong`: in full ink.
-fn draw_row(
+/// The entries that fit, one after the other in rows.
+fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
+    let [gap, distance] = GAPS;
+    let width = ui.available_width();
+    let longest = 0.5 * width - theme::LINE_SAMPLE - gap - distance;
+    let (mut x, mut row) = (0.0, 0);
+    let mut items = Vec::new();
+    for entry in session.materials.shown() {
+        let title = session.materials.title(entry);
+        let text = WidgetText::from(RichText::new(&title).small()).into_galley(
+            ui,
+            Some(TextWrapMode::Truncate),
+            longest,
+            FontSelection::Default,
+        );
+        let size = vec2(theme::LINE_SAMPLE + gap + text.size().x, theme::LEGEND_ROW);
+        if x > 0.0 && x + size.x > width {
+            (x, row) = (0.0, row + 1);
+        }
+        if row == MAX_ROWS {
+            break;
+        }
+        let corner = pos2(x, row as f32 * theme::LEGEND_ROW);
+        let place = Rect::from_min_size(corner, size);
+        x += size.x + distance;
+        items.push(Item {
+            entry,
+            title,
+            text,
+            place,
+        });
+    }
+    items
+}
+
+fn draw_item(
     ui: &Ui,
     rect: Rect,
     sample: Sample,
-    entry: &MaterialEntry,
-    (title, is_strong): (&str, bool),
+    item: &Item<'_>,
+    is_strong: bool,
     palette: &Palette,
 ) {
-    let color = palette.material(entry.slot());
-    let text = if is_strong {
-        RichText::new(title).small().strong().color(palette.ink)
-    } else {
-        RichText::new(title).small().color(palette.faint_ink)
-    };
-    let room = rect.width() - theme::LINE_SAMPLE - 8.0;
-    let galley = WidgetText::from(text).into_galley(
-        ui,
-        Some(TextWrapMode::Truncate),
-        room,
-        FontSelection::Default,
-    );
+    let color = palette.material(item.entry.slot());
     let painter = ui.painter();
-    let covered = Rect::from_min_size(
-        rect.min,
-        vec2(
-            theme::LINE_SAMPLE + 10.0 + galley.size().x,
-            theme::LEGEND_ROW,
-        ),
-    );
-    painter.rect_filled(covered, 2.0, palette.background.gamma_multiply(0.8));
-    let left = rect.left_center() + vec2(2.0, 0.0);
+    let left = rect.left_center();
     match sample {
         Sample::Line => {
             let ends = [left, left + vec2(theme::LINE_SAMPLE, 0.0)];
             let stroke = (theme::CURVE_WIDTH, color);
-            draw::line(painter, ends, stroke, Dash::of(entry.slot()));
+            draw::line(painter, ends, stroke, Dash::of(item.entry.slot()));
         }
         Sample::Patch => {
             let size = theme::SWATCH;
-            let patch = Rect::from_min_size(left - vec2(0.0, 0.5 * size.y), size);
-            painter.rect_filled(patch, 2.0, color);
+            let corner = left + vec2(theme::LINE_SAMPLE - size.x, -0.5 * size.y);
+            painter.rect_filled(Rect::from_min_size(corner, size), 2.0, color);
         }
     }
-    let place = Pos2::new(
-        left.x + theme::LINE_SAMPLE + 6.0,
-        rect.center().y - 0.5 * galley.size().y,
-    );
-    painter.galley(place, galley, palette.ink);
+    let ink = if is_strong {
+        palette.ink
+    } else {
+        palette.faint_ink
+    };
+    let x = left.x + theme::LINE_SAMPLE + GAPS[0];
+    let place = pos2(x, rect.center().y - 0.5 * item.text.size().y);
+    painter.galley_with_override_text_color(place, Arc::clone(&item.text), ink);
+    if is_strong {
+        let below = rect.bottom() - 1.0;
+        painter.hline(x..=rect.right(), below, (1.0, color));
+    }
 }

@@ -4,6 +4,8 @@ pub mod components;
 pub mod directions;
 pub mod draw;
 pub mod legend;
+pub mod materials;
+pub mod notice;
 pub mod options;
 pub mod params;
 pub mod picker;

@@ -4,12 +4,18 @@ use egui::{RichText, ThemePreference, Ui};
 
 use crate::analysis::RadialScale;
 use crate::ui::session::{Curves, DECADES, LobeSurface, Session};
+use crate::ui::theme;
 
 /// The line that says what to try first.
 const FIRST_STEP: &str = "Try this: drag the round handle of the light, then pick another kind of reflection on the left";
 
 /// How a lobe may be drawn: the name and what it is good for.
-const SURFACES: [(LobeSurface, &str, &str); 3] = [
+const SURFACES: [(LobeSurface, &str, &str); 4] = [
+    (
+        LobeSurface::Automatic,
+        "Automatic",
+        "One lobe as a body, several as skins one sees through",
+    ),
     (
         LobeSurface::Solid,
         "Solid",
@@ -27,10 +33,11 @@ const SURFACES: [(LobeSurface, &str, &str); 3] = [
     ),
 ];
 
-/// The bar; it changes the session and the theme.
-pub fn show(ui: &mut Ui, session: &mut Session) {
+/// The first line of the bar: the name, what `commands` adds, what to try first, and the theme.
+pub fn headline(ui: &mut Ui, commands: impl FnOnce(&mut Ui)) {
     ui.horizontal(|ui| {
         ui.label(RichText::new("BRDF Explorer").heading());
+        commands(ui);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             theme_choice(ui);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
@@ -38,6 +45,10 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
             });
         });
     });
+}
+
+/// How values are drawn.
+pub fn show(ui: &mut Ui, session: &mut Session) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Radius");
         let mut is_logarithmic = session.scale.is_logarithmic();
@@ -64,11 +75,27 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
         section(ui, session);
         ui.separator();
         ui.label("Lobe");
-        for (surface, name, hint) in SURFACES {
-            ui.selectable_value(&mut session.lobe_surface, surface, name)
-                .on_hover_text(hint);
-        }
+        lobe_surface(ui, session);
     });
+}
+
+/// How the lobes are drawn.
+fn lobe_surface(ui: &mut Ui, session: &mut Session) {
+    let chosen = SURFACES
+        .iter()
+        .find(|(surface, ..)| *surface == session.lobe_surface);
+    let combo = egui::ComboBox::from_id_salt("lobe surface")
+        .selected_text(chosen.map_or("", |(_, name, _)| name))
+        .width(theme::SHORT_COMBO_WIDTH)
+        .show_ui(ui, |ui| {
+            for (surface, name, hint) in SURFACES {
+                ui.selectable_value(&mut session.lobe_surface, surface, name)
+                    .on_hover_text(hint);
+            }
+        });
+    let response = combo.response.on_hover_text("How the 3D view draws lobes");
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label("Surface of lobes"));
 }
 
 /// The curves of the polar plot; several materials have one each.

@@ -1,9 +1,12 @@
 //! Sliders, drop-downs and colour buttons, made from the parameter specs.
 
+use std::collections::BTreeSet;
+
 use egui::{ComboBox, DragValue, Response, Slider, Ui, accesskit};
 
 use crate::bxdf::Component;
 use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
+use crate::ui::session::WIDTHS;
 use crate::ui::theme;
 
 /// The names of the channels.
@@ -18,13 +21,60 @@ static WEIGHT: ParamSpec = ParamSpec::number(
 .hard(0.0, 10.0)
 .soft(0.0, 1.0);
 
+/// What ties parameters together, changed by the buttons beside them.
+pub struct Ties<'a> {
+    /// Whether the widths along s and t move together.
+    pub has_linked_widths: &'a mut bool,
+    /// The names of the parameters that are locked across materials.
+    pub locked: &'a mut BTreeSet<String>,
+    /// Whether other materials have a parameter too, so that it can be locked.
+    pub is_shared: &'a dyn Fn(&ParamSpec) -> bool,
+}
+
+impl Ties<'_> {
+    /// The button that locks the parameter across materials, where others have it.
+    fn lock_button(&mut self, ui: &mut Ui, spec: &ParamSpec, ordinal: Option<usize>) {
+        if !(self.is_shared)(spec) {
+            return;
+        }
+        let is_locked = self.locked.contains(spec.name);
+        let (icon, hint) = if is_locked {
+            (
+                "🔒",
+                "Locked across materials: a change sets it in all that have it. Click to unlock",
+            )
+        } else {
+            (
+                "🔓",
+                "Lock across materials: a change then sets it in all that have it",
+            )
+        };
+        let button = egui::Button::new(icon).small().frame(false);
+        let response = ui.add(button).on_hover_text(hint);
+        let name = accessible(&format!("Lock {}", spec.label()), ordinal);
+        response
+            .widget_info(|| egui::WidgetInfo::selected(egui::Role::Button, true, is_locked, &name));
+        if response.clicked() && !self.locked.remove(spec.name) {
+            self.locked.insert(spec.name.to_owned());
+        }
+    }
+
+    /// The box that links the widths, below the second one.
+    fn link_box(&mut self, ui: &mut Ui, ordinal: Option<usize>) {
+        let checkbox = ui
+            .checkbox(self.has_linked_widths, "Same alpha along s and t")
+            .on_hover_text("Move both widths together: the lobe stays isotropic. Unlink them for brushed surfaces");
+        name(&checkbox, "Same alpha along s and t", ordinal);
+    }
+}
+
 /// The weight of `component`; `ordinal` as for [`show`].
 pub fn show_weight(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>) {
     let weight = component.weight();
     let mut edited = Value::Number(weight);
     ui.scope(|ui| {
-        ui.spacing_mut().slider_width = slider_width(ui, labels(&WEIGHT).into_iter());
-        row(ui, &WEIGHT, &mut edited, ordinal);
+        ui.spacing_mut().slider_width = slider_width(ui, labels(&WEIGHT).into_iter(), false);
+        row(ui, &WEIGHT, &mut edited, ordinal, None);
     });
     if let Value::Number(edited) = edited
         && edited != weight
@@ -37,16 +87,22 @@ pub fn show_weight(ui: &mut Ui, component: &mut Component, ordinal: Option<usize
 /// The parameters of `component`; those without effect at present are left out.
 ///
 /// `ordinal`: the number of `component` among several lobes, from 1, which their accessible names then say.
-pub fn show(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>) {
+pub fn show(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>, ties: &mut Ties<'_>) {
     let params = component.params().clone();
     let sliders = params
         .iter()
         .filter(|(spec, _)| params.is_relevant(spec) && !spec.is_colour());
-    ui.spacing_mut().slider_width = slider_width(ui, sliders.flat_map(|(spec, _)| labels(spec)));
+    let can_lock = params.iter().any(|(spec, _)| (ties.is_shared)(spec));
+    let labels = sliders.flat_map(|(spec, _)| labels(spec));
+    ui.spacing_mut().slider_width = slider_width(ui, labels, can_lock);
     for (spec, value) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
         let mut edited = value;
         ui.push_id((component.model().id, spec.name), |ui| {
-            row(ui, spec, &mut edited, ordinal);
+            row(ui, spec, &mut edited, ordinal, Some(ties));
+            let [first, second] = WIDTHS;
+            if spec.name == second && params.get(first).is_some() {
+                ties.link_box(ui, ordinal);
+            }
         });
         if edited != value {
             set(component, spec, edited);
@@ -89,7 +145,13 @@ fn name(response: &Response, label: &str, ordinal: Option<usize>) {
     response.ctx.accesskit_node_builder(response.id, set_label);
 }
 
-fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value, ordinal: Option<usize>) {
+fn row(
+    ui: &mut Ui,
+    spec: &ParamSpec,
+    value: &mut Value,
+    ordinal: Option<usize>,
+    ties: Option<&mut Ties<'_>>,
+) {
     ui.horizontal(|ui| {
         let hint = hint(spec);
         match value {
@@ -124,6 +186,9 @@ fn row(ui: &mut Ui, spec: &ParamSpec, value: &mut Value, ordinal: Option<usize>)
                 .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_changed, &name));
             if response.clicked() {
                 *value = spec.default;
+            }
+            if let Some(ties) = ties {
+                ties.lock_button(ui, spec, ordinal);
             }
         });
     });
@@ -184,8 +249,9 @@ fn labels(spec: &ParamSpec) -> Vec<String> {
     }
 }
 
-/// The usual width, less what the longest label needs to stand beside the number and before the reset button.
-fn slider_width(ui: &Ui, labels: impl Iterator<Item = String>) -> f32 {
+/// The usual width, less what the longest label needs to stand beside the number and before the buttons for reset and,
+/// where it `can_lock`, lock.
+fn slider_width(ui: &Ui, labels: impl Iterator<Item = String>, can_lock: bool) -> f32 {
     let font = egui::TextStyle::Body.resolve(ui.style());
     let width = |label| {
         let text = ui
@@ -195,7 +261,11 @@ fn slider_width(ui: &Ui, labels: impl Iterator<Item = String>) -> f32 {
     };
     let longest = labels.map(width).fold(0.0, f32::max);
     let spacing = ui.spacing();
-    let rest = longest + theme::NUMBER_WIDTH + theme::RESET_WIDTH + 3.0 * spacing.item_spacing.x;
+    let buttons = 1.0 + f32::from(u8::from(can_lock));
+    let rest = longest
+        + theme::NUMBER_WIDTH
+        + buttons * theme::RESET_WIDTH
+        + (2.0 + buttons) * spacing.item_spacing.x;
     (ui.available_width() - rest).clamp(theme::SHORTEST_SLIDER, spacing.slider_width)
 }
 

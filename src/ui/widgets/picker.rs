@@ -1,15 +1,16 @@
 //! The picker: every model and every named material under its category.
 
 use egui::{
-    Align, Atom, Button, Color32, IdSalt, Rect, Response, RichText, ScrollArea, TextEdit, Ui, Vec2,
-    pos2,
+    Align, Atom, Button, Color32, IdSalt, Key, Rect, Response, RichText, ScrollArea, TextEdit, Ui,
+    Vec2, pos2,
 };
 
 use super::thumbnails::Thumbnails;
 use crate::bxdf::material::library::{self, Named};
 use crate::bxdf::models::{self, MODELS};
 use crate::bxdf::{Category, Material, ModelSpec, Side};
-use crate::ui::session::MaterialEntry;
+use crate::error::Result;
+use crate::ui::session::{EntryId, MaterialEntry, Materials};
 use crate::ui::theme;
 
 /// The share of the panel's height that the list may take; the rest is for the parameters.
@@ -20,10 +21,14 @@ pub struct Picker {
     list: List,
     search: String,
     /// Materials looked at before: their sliders stand as they were left.
-    shelf: Vec<Material>,
+    shelf: Vec<(EntryId, Material)>,
     /// The id of the chosen entry that its list was last scrolled to.
     scrolled_to: &'static str,
     thumbnails: Thumbnails,
+    /// The material it was last shown beside.
+    beside: Option<EntryId>,
+    /// Whether the next choice is added, in place of replacing the selected material.
+    pub is_adding: bool,
 }
 
 /// Which list is shown.
@@ -61,6 +66,11 @@ impl Entry {
             return models::find(model.id).ok().map(Self::Model);
         }
         library::origin(material).map(Self::Named)
+    }
+
+    /// Whether `material` was chosen as this.
+    fn is_origin_of(self, material: &Material) -> bool {
+        Self::of(material).is_some_and(|origin| origin.id() == self.id())
     }
 
     /// Its id: no model has that of a named material.
@@ -120,26 +130,31 @@ impl Entry {
 }
 
 impl Picker {
-    /// The picker beside `material`. `is_at_once`: see [`Thumbnails::new`].
+    /// The picker. `is_at_once`: see [`Thumbnails::new`].
     #[must_use]
-    pub fn new(material: &Material, is_at_once: bool) -> Self {
-        let is_named = matches!(Entry::of(material), Some(Entry::Named(_)));
+    pub fn new(is_at_once: bool) -> Self {
         Self {
-            list: if is_named {
-                List::Materials
-            } else {
-                List::Models
-            },
+            list: List::Models,
             search: String::new(),
             shelf: Vec::new(),
             scrolled_to: "",
             thumbnails: Thumbnails::new(is_at_once),
+            beside: None,
+            is_adding: false,
         }
     }
 
-    /// The switch, the search field, and the list that the search leaves. Choosing an entry replaces the material by the
-    /// one chosen as that before, or by the entry as it stands in the list.
-    pub fn show(&mut self, ui: &mut Ui, chosen: &mut MaterialEntry) {
+    /// The switch, the search field, and the list that the search leaves. Choosing an entry replaces the selected
+    /// material by the one chosen as that before, or by the entry as it stands in the list; while one is to be added, it
+    /// adds that.
+    ///
+    /// # Errors
+    /// [`crate::Error::Limit`] where there are as many materials as a session has.
+    pub fn show(&mut self, ui: &mut Ui, materials: &mut Materials) -> Result<()> {
+        self.follow(materials.selected());
+        if self.is_adding {
+            self.say_adding(ui);
+        }
         ui.horizontal(|ui| {
             ui.selectable_value(&mut self.list, List::Models, "Models")
                 .on_hover_text("Formulas at their default parameters, each by itself");
@@ -164,10 +179,61 @@ impl Picker {
             .id_salt(what)
             .max_height(height)
             .auto_shrink([false, true]);
-        area.show(ui, |ui| self.entries(ui, &wanted, chosen));
+        let chosen = area.show(ui, |ui| self.entries(ui, &wanted, materials.selected()));
+        match chosen.inner {
+            Some(entry) if self.is_adding => {
+                self.is_adding = false;
+                materials.add(entry.material()).map(|_| ())
+            }
+            Some(entry) => {
+                self.replace(materials.selected_mut(), entry);
+                Ok(())
+            }
+            None => Ok(()),
+        }
     }
 
-    fn entries(&mut self, ui: &mut Ui, wanted: &str, chosen: &mut MaterialEntry) {
+    /// Shows the list in which the selected material stands, where another one has been selected.
+    fn follow(&mut self, selected: &MaterialEntry) {
+        if self.beside == Some(selected.id()) {
+            return;
+        }
+        self.beside = Some(selected.id());
+        self.scrolled_to = "";
+        match Entry::of(&selected.material) {
+            Some(Entry::Named(_)) => self.list = List::Materials,
+            Some(Entry::Model(_)) => self.list = List::Models,
+            None => {}
+        }
+    }
+
+    /// Says what the next choice does; Escape ends it.
+    fn say_adding(&mut self, ui: &mut Ui) {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new("Choose what to add").strong());
+            let cancel = ui
+                .small_button("Cancel")
+                .on_hover_text("Add nothing (Escape)");
+            let is_escaped = ui.input(|input| input.key_pressed(Key::Escape));
+            self.is_adding &= !cancel.clicked() && !is_escaped;
+        });
+    }
+
+    /// Replaces the material; it is kept as it was left.
+    fn replace(&mut self, chosen: &mut MaterialEntry, entry: Entry) {
+        let id = chosen.id();
+        // It is under the pointer: the list stays where it is.
+        self.scrolled_to = entry.id();
+        let is_kept = |(of, kept): &(EntryId, Material)| *of == id && entry.is_origin_of(kept);
+        let kept = self.shelf.iter().position(is_kept);
+        let next = kept.map_or_else(|| entry.material(), |index| self.shelf.swap_remove(index).1);
+        self.shelf.push((id, chosen.material.clone()));
+        chosen.replace(next);
+    }
+
+    /// The entries that hold `wanted`. Returns the one that is chosen now.
+    fn entries(&mut self, ui: &mut Ui, wanted: &str, selected: &MaterialEntry) -> Option<Entry> {
+        let mut chosen = None;
         let listed: Vec<Entry> = match self.list {
             List::Models => MODELS.into_iter().map(Entry::Model).collect(),
             List::Materials => library::all().iter().map(Entry::Named).collect(),
@@ -184,7 +250,9 @@ impl Picker {
                 .on_hover_text(category.meaning());
             ui.indent(category.id(), |ui| {
                 for entry in shown {
-                    self.row(ui, *entry, chosen);
+                    if self.row(ui, *entry, selected) {
+                        chosen = Some(*entry);
+                    }
                 }
             });
         }
@@ -192,13 +260,12 @@ impl Picker {
             let [_, nothing] = self.list.words();
             ui.weak(nothing);
         }
+        chosen
     }
 
-    fn row(&mut self, ui: &mut Ui, entry: Entry, chosen: &mut MaterialEntry) {
-        let is = |material: &Material| {
-            Entry::of(material).is_some_and(|chosen| chosen.id() == entry.id())
-        };
-        let is_chosen = is(&chosen.material);
+    /// A row. Returns whether it is chosen now.
+    fn row(&mut self, ui: &mut Ui, entry: Entry, selected: &MaterialEntry) -> bool {
+        let is_chosen = !self.is_adding && entry.is_origin_of(&selected.material);
         let row = match entry {
             Entry::Model(model) => ui.selectable_label(is_chosen, title(model)),
             Entry::Named(named) => self.pictured(ui, named, is_chosen),
@@ -208,14 +275,7 @@ impl Picker {
             self.scrolled_to = entry.id();
             row.scroll_to_me(Some(Align::Center));
         }
-        if row.clicked() && !is_chosen {
-            // It is under the pointer: the list stays where it is.
-            self.scrolled_to = entry.id();
-            let kept = self.shelf.iter().position(is);
-            let next = kept.map_or_else(|| entry.material(), |index| self.shelf.swap_remove(index));
-            self.shelf.push(chosen.material.clone());
-            chosen.replace(next);
-        }
+        row.clicked() && !is_chosen
     }
 
     /// A row with a picture; the name says it all to those who do not see.

@@ -27,7 +27,7 @@ pub(super) use scene::DrawingMemo;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "lobe3d",
     title: "3D lobe",
-    what_you_see: "The lobe over all directions: distance from the centre and colour are the value f; drag to orbit",
+    what_you_see: "The lobe over all directions: the distance from the centre is the value f; drag to orbit",
     show,
 };
 
@@ -43,6 +43,7 @@ const ARC_RADIUS: f32 = 0.42;
 const FLAT: f32 = 1e-3;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    legend::show(ui, Sample::Patch, cx.session, cx.palette);
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
@@ -69,7 +70,6 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     sketch.name_axes(&drawing.lobes);
     sketch.label(cx.session, &drawing.lobes);
     sketch.scale(&drawing.lobes, cx.session);
-    legend::show(ui, rect, Sample::Patch, cx.session, cx.palette);
     home_buttons(ui, rect, cx.session);
     if drag_held(ui, cx, rect, &camera) {
         cx.state.keep_arrangement(has_lower);

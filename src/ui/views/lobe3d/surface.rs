@@ -21,6 +21,10 @@ const SPINE_WIDTH: f32 = 1.5;
 /// Width of the edges of a mesh, in points.
 const WIRE_WIDTH: f32 = 1.0;
 
+/// Of several lobes, those that are longer than this share of the longest radius have their name at the tip: the names
+/// of the others would hide them.
+const SHORTEST_NAMED: f64 = 0.35;
+
 /// Where the light comes from that shades what is drawn unlit, a unit vector.
 const LIGHT: Vec3 = Vec3::new(0.36, 0.48, 0.8);
 
@@ -75,26 +79,31 @@ impl Lobes {
             .flat_map(move |(part, _)| part.arrows.iter().map(move |arrow| (of(part), arrow)))
     }
 
-    /// The tip of each lobe where there are several, with its name.
+    /// The tips of the longer lobes where there are several, with their names.
     pub(super) fn names(&self) -> impl Iterator<Item = (&str, Color32, Vec3)> {
         let is_overlay = self.all.len() > 1;
         self.all
             .iter()
             .filter(move |_| is_overlay)
             .filter_map(|(part, lobe)| {
-                let (_, tip) = lobe.highest()?;
+                let (_, tip) = lobe
+                    .highest()
+                    .filter(|(radius, _)| *radius > SHORTEST_NAMED)?;
                 Some((part.title.as_str(), part.color, tip))
             })
     }
 
     /// Adds the lobes as the session has them drawn: one alone in the colours of its values, several in their own.
     pub(super) fn add_to(&self, scene: &mut Scene, session: &Session) {
+        let is_overlay = self.all.len() > 1;
         let style = match session.lobe_surface {
+            LobeSurface::Automatic if is_overlay => LobeSurface::Translucent,
             // What is drawn inside has to show.
-            LobeSurface::Solid if session.show_geometry => LobeSurface::Translucent,
+            LobeSurface::Automatic | LobeSurface::Solid if session.show_geometry => {
+                LobeSurface::Translucent
+            }
             style => style,
         };
-        let is_overlay = self.all.len() > 1;
         for (part, lobe) in &self.all {
             let color = is_overlay.then(|| theme::rgba(part.color, u8::MAX));
             lobe.add_to(scene, style, color);
@@ -165,7 +174,7 @@ impl DrawnLobe {
     /// Adds the surface, coloured by radius if not all of one `color`.
     fn add_to(&self, scene: &mut Scene, style: LobeSurface, color: Option<Rgba>) {
         match style {
-            LobeSurface::Solid => {
+            LobeSurface::Automatic | LobeSurface::Solid => {
                 let vertices = self.vertices(self.colors(color));
                 self.append(&mut scene.opaque, &vertices);
             }
@@ -313,7 +322,7 @@ mod tests {
         assert_eq!(lobes.hit(&down).unwrap().1, outer);
         assert!(lobes.hit(&up).is_some());
         let names: Vec<&str> = lobes.names().map(|(name, ..)| name).collect();
-        assert_eq!(names.len(), 2);
+        assert_eq!(names, ["Lambertian reflection"], "the other one is short");
     }
 
     #[test]

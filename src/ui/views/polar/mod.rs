@@ -37,6 +37,7 @@ const HOVER_RADIUS: f64 = 1.12;
 const IN_PLANE: f64 = 0.02;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    legend::show(ui, Sample::Line, cx.session, cx.palette);
     let plotted = plotted(cx);
     let has_deltas = plotted.iter().any(|one| !one.arrows.is_empty());
     let sections = plotted.iter().map(|one| &*one.section);
@@ -86,7 +87,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         canvas.note(note, &palette);
     }
     let transform = response.transform;
-    legend::show(ui, *transform.frame(), Sample::Line, cx.session, &palette);
+
     if drag_held(ui, cx, &transform) {
         cx.state.keep_arrangement(has_lower);
     } else {

@@ -1,0 +1,221 @@
+//! The list of materials: which there are, which are seen, which is selected, in which order.
+
+use egui::{
+    Align, Button, Id, Key, Layout, Modifiers, Rect, RichText, ScrollArea, Ui, UiBuilder,
+    ViewportCommand,
+};
+
+use crate::error::Result;
+use crate::ui::session::{EntryId, MAX_MATERIALS, Materials};
+use crate::ui::theme::{self, Palette};
+use row::Row;
+
+mod row;
+
+/// The share of the panel's height that the list may take; the rest is for the picker and the parameters.
+const LIST_SHARE: f32 = 0.26;
+
+/// What the list keeps between frames.
+#[derive(Default)]
+pub struct MaterialList {
+    /// The material whose name is being typed, and what it is so far.
+    renaming: Option<(EntryId, String)>,
+    /// The selected material, as the list last showed it.
+    scrolled_to: Option<EntryId>,
+}
+
+/// What is to become of a material of the list.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Action {
+    /// Edit it in the panels.
+    Select,
+    /// Show it, or do not.
+    SetVisible(bool),
+    /// Show it alone, or together with the others.
+    SetSolo(bool),
+    /// Type its name.
+    StartRenaming,
+    /// Go on typing.
+    Type(String),
+    /// Take over what was typed, or forget it.
+    EndRenaming(bool),
+    /// Add another one like it.
+    Duplicate,
+    /// Move it to this place.
+    MoveTo(usize),
+    /// Copy it as text.
+    Copy,
+    /// Remove it.
+    Remove,
+}
+
+impl MaterialList {
+    /// The list. `is_adding`: whether the next choice of the picker is added.
+    ///
+    /// # Errors
+    /// [`crate::Error::Limit`] where there are as many materials as a session has.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        materials: &mut Materials,
+        is_adding: &mut bool,
+        palette: &Palette,
+    ) -> Result<()> {
+        header(ui, materials, is_adding);
+        let mut wished = Vec::new();
+        let area = ScrollArea::vertical()
+            .id_salt("material list")
+            .max_height(LIST_SHARE * ui.available_height())
+            .auto_shrink([false, true]);
+        area.show(ui, |ui| {
+            ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
+            let rects = self.rows(ui, materials, palette, &mut wished);
+            if let Some((id, place)) = dragged_to(ui, materials, &rects) {
+                wished.push((id, Action::MoveTo(place)));
+            }
+        });
+        let mut result = Ok(());
+        for (id, action) in wished {
+            if let Err(error) = self.act(ui, materials, id, action) {
+                result = Err(error);
+            }
+        }
+        result
+    }
+
+    /// Every row; returns where they are.
+    fn rows(
+        &mut self,
+        ui: &mut Ui,
+        materials: &Materials,
+        palette: &Palette,
+        wished: &mut Vec<(EntryId, Action)>,
+    ) -> Vec<Rect> {
+        let selected = materials.selected().id();
+        let mut rects = Vec::new();
+        for entry in materials.iter() {
+            let id = entry.id();
+            let typed = self.renaming.as_ref().filter(|(renamed, _)| *renamed == id);
+            let row = Row {
+                materials,
+                entry,
+                title: materials.title(entry),
+                typed: typed.map(|(_, name)| name.as_str()),
+            };
+            // A row keeps its ids, and with them the focus, when it moves.
+            let scope = UiBuilder::new().scope_id(row_id(id));
+            let response = ui.scope_builder(scope, |ui| row.show(ui, palette));
+            wished.extend(response.inner.into_iter().map(|action| (id, action)));
+            let response = response.response;
+            rects.push(response.rect);
+            if id == selected && self.scrolled_to != Some(id) {
+                self.scrolled_to = Some(id);
+                response.scroll_to_me(None);
+            }
+        }
+        rects
+    }
+
+    fn act(
+        &mut self,
+        ui: &Ui,
+        materials: &mut Materials,
+        id: EntryId,
+        action: Action,
+    ) -> Result<()> {
+        match action {
+            Action::Select => materials.select(id),
+            Action::SetVisible(is_visible) => {
+                if let Some(entry) = materials.get_mut(id) {
+                    entry.is_visible = is_visible;
+                }
+            }
+            Action::SetSolo(is_alone) => materials.set_solo(is_alone.then_some(id)),
+            Action::StartRenaming => {
+                materials.select(id);
+                self.renaming = materials.get(id).map(|entry| (id, entry.title()));
+            }
+            Action::Type(name) => self.renaming = Some((id, name)),
+            Action::EndRenaming(is_taken) => {
+                if let Some((_, name)) = self.renaming.take().filter(|_| is_taken)
+                    && let Some(entry) = materials.get_mut(id)
+                {
+                    entry.rename(&name);
+                }
+            }
+            Action::Duplicate => {
+                materials.duplicate(id)?;
+            }
+            Action::MoveTo(place) => materials.move_to(id, place),
+            Action::Copy => {
+                if let Some(entry) = materials.get(id) {
+                    ui.copy_text(entry.to_text());
+                }
+            }
+            Action::Remove => materials.remove(id),
+        }
+        Ok(())
+    }
+}
+
+/// The heading, and what adds materials.
+fn header(ui: &mut Ui, materials: &Materials, is_adding: &mut bool) {
+    let is_room = materials.count() < MAX_MATERIALS;
+    let full = format!("There are {MAX_MATERIALS} materials, as many as a session has");
+    ui.horizontal(|ui| {
+        ui.label(RichText::new("Your materials").strong());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.add_enabled_ui(is_room, |ui| {
+                let paste = ui.button("Paste");
+                if paste
+                    .on_hover_text(
+                        "Add the material of the clipboard: id:name=value,name=value, or the text of a material file \
+                         (Ctrl+V)",
+                    )
+                    .on_disabled_hover_text(&full)
+                    .clicked()
+                {
+                    ui.ctx().send_viewport_cmd(ViewportCommand::RequestPaste);
+                }
+                let add = ui
+                    .add(Button::new("Add…").selected(*is_adding))
+                    .on_hover_text("Add the model or material chosen next in the list below")
+                    .on_disabled_hover_text(&full);
+                *is_adding ^= add.clicked();
+            });
+        });
+    });
+}
+
+/// The material whose grip is dragged, and the place it is dragged to where that is another one.
+fn dragged_to(ui: &Ui, materials: &Materials, rects: &[Rect]) -> Option<(EntryId, usize)> {
+    let pointer = ui.ctx().pointer_interact_pos()?;
+    let dragged = ui.ctx().dragged_id()?;
+    let entry = materials
+        .iter()
+        .find(|entry| grip_id(entry.id()) == dragged)?;
+    let is_above = |rect: &&Rect| rect.bottom() < pointer.y;
+    let place = rects.iter().filter(is_above).count();
+    let place = place.min(materials.count() - 1);
+    (materials.position(entry.id()) != Some(place)).then_some((entry.id(), place))
+}
+
+/// The id of a material's row.
+fn row_id(id: EntryId) -> Id {
+    Id::unique(("row", id))
+}
+
+/// The id of the grip of a material's row: it stays the same when the row moves.
+fn grip_id(id: EntryId) -> Id {
+    row_id(id).with("grip")
+}
+
+/// Whether `key` was pressed while the focus is on `response`, with Alt where `is_alt`.
+fn is_pressed(ui: &Ui, response: &egui::Response, key: Key, is_alt: bool) -> bool {
+    let modifiers = if is_alt {
+        Modifiers::ALT
+    } else {
+        Modifiers::NONE
+    };
+    response.has_focus() && ui.input_mut(|input| input.consume_key(modifiers, key))
+}

@@ -1,0 +1,245 @@
+//! A row of the list of materials.
+
+use egui::text::{CCursor, CCursorRange};
+use egui::{
+    Align, Atom, Button, Checkbox, Key, Layout, Response, Role, Sense, TextEdit, Ui, WidgetInfo,
+    vec2,
+};
+
+use super::{Action, grip_id, is_pressed};
+use crate::ui::session::{MaterialEntry, Materials};
+use crate::ui::theme::{self, Dash, Palette};
+use crate::ui::widgets::draw;
+
+/// A row, about to be shown.
+pub(super) struct Row<'a> {
+    pub(super) materials: &'a Materials,
+    pub(super) entry: &'a MaterialEntry,
+    pub(super) title: String,
+    /// What was typed as the new name, while it is typed.
+    pub(super) typed: Option<&'a str>,
+}
+
+impl Row<'_> {
+    /// The row: grip, whether it is seen, line, name, menu. Returns what the user wants.
+    pub(super) fn show(&self, ui: &mut Ui, palette: &Palette) -> Vec<Action> {
+        let mut wished = Vec::new();
+        ui.horizontal(|ui| {
+            self.grip(ui, &mut wished);
+            self.visibility(ui, &mut wished);
+            self.line(ui, palette);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                self.menu_button(ui, &mut wished);
+                if self.is_alone() {
+                    let solo = ui
+                        .selectable_label(true, "Alone")
+                        .on_hover_text("It is shown alone: click to show the others too");
+                    if solo.clicked() {
+                        wished.push(Action::SetSolo(false));
+                    }
+                }
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    match self.typed {
+                        None => self.name(ui, &mut wished),
+                        Some(typed) => self.name_field(ui, typed, &mut wished),
+                    }
+                });
+            });
+        });
+        wished
+    }
+
+    fn is_alone(&self) -> bool {
+        self.materials.solo() == Some(self.entry.id())
+    }
+
+    fn place(&self) -> usize {
+        self.materials.position(self.entry.id()).unwrap_or(0)
+    }
+
+    fn is_last(&self) -> bool {
+        self.place() + 1 == self.materials.count()
+    }
+
+    fn grip(&self, ui: &mut Ui, wished: &mut Vec<Action>) {
+        if self.materials.count() == 1 {
+            return;
+        }
+        let (rect, _) = ui.allocate_exact_size(theme::GRIP, Sense::hover());
+        let grip = ui.interact(rect, grip_id(self.entry.id()), Sense::click_and_drag());
+        let name = format!("Move {}", self.title);
+        grip.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        let color = if grip.hovered() || grip.dragged() || grip.has_focus() {
+            ui.visuals().strong_text_color()
+        } else {
+            ui.visuals().weak_text_color()
+        };
+        for line in [-1.0, 0.0, 1.0] {
+            let y = rect.center().y + 3.5 * line;
+            ui.painter()
+                .hline(rect.x_range().shrink(1.0), y, (1.5, color));
+        }
+        self.move_by_keys(ui, &grip, wished);
+        grip.on_hover_cursor(egui::CursorIcon::Grab)
+            .on_hover_text("Drag to change the order, or press Alt+Up and Alt+Down");
+    }
+
+    fn move_by_keys(&self, ui: &Ui, focused: &Response, wished: &mut Vec<Action>) {
+        if is_pressed(ui, focused, Key::ArrowUp, true) && self.place() > 0 {
+            wished.push(Action::MoveTo(self.place() - 1));
+        }
+        if is_pressed(ui, focused, Key::ArrowDown, true) && !self.is_last() {
+            wished.push(Action::MoveTo(self.place() + 1));
+        }
+    }
+
+    fn visibility(&self, ui: &mut Ui, wished: &mut Vec<Action>) {
+        let mut is_visible = self.entry.is_visible;
+        // While one is shown alone, the boxes of all keep what they say for later.
+        let checkbox = ui.add(Checkbox::without_text(&mut is_visible));
+        let name = format!("Show {}", self.title);
+        checkbox.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_visible, &name));
+        if checkbox.on_hover_text("Show it in the views").changed() {
+            wished.push(Action::SetVisible(is_visible));
+        }
+    }
+
+    fn line(&self, ui: &mut Ui, palette: &Palette) {
+        let size = vec2(theme::LINE_SAMPLE, theme::GRIP.y);
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+        let color = palette.material(self.entry.slot());
+        let color = if self.materials.is_shown(self.entry) {
+            color
+        } else {
+            color.gamma_multiply(theme::HIDDEN_STRENGTH)
+        };
+        let ends = [rect.left_center(), rect.right_center()];
+        let stroke = (theme::CURVE_WIDTH, color);
+        draw::line(ui.painter(), ends, stroke, Dash::of(self.entry.slot()));
+        response.on_hover_text("Its line and colour in the views");
+    }
+
+    fn name(&self, ui: &mut Ui, wished: &mut Vec<Action>) {
+        let is_selected = self.materials.selected().id() == self.entry.id();
+        let button = Button::selectable(is_selected, (self.title.as_str(), Atom::grow()))
+            .truncate()
+            .min_size(vec2(ui.available_width(), 0.0));
+        let row = ui.add(button);
+        let name = format!("Select {}", self.title);
+        row.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &name));
+        if row.double_clicked() || is_pressed(ui, &row, Key::F2, false) {
+            wished.push(Action::StartRenaming);
+        } else if row.clicked() {
+            wished.push(Action::Select);
+        }
+        if is_pressed(ui, &row, Key::Delete, false) {
+            wished.push(Action::Remove);
+        }
+        self.move_by_keys(ui, &row, wished);
+        row.context_menu(|ui| self.menu(ui, wished));
+        row.on_hover_text(format!(
+            "{}\nClick to edit it below, double-click to rename it",
+            self.title
+        ));
+    }
+
+    /// The name, while it is typed: Enter takes it over, Escape does not.
+    fn name_field(&self, ui: &mut Ui, typed: &str, wished: &mut Vec<Action>) {
+        let mut name = typed.to_owned();
+        let id = ui.scope_id().with("name");
+        let had_focus = ui.memory(|memory| memory.had_focus_last_frame(id));
+        let mut output = TextEdit::singleline(&mut name)
+            .id(id)
+            .char_limit(theme::LONGEST_NAME)
+            .desired_width(f32::INFINITY)
+            .show(ui);
+        let field = &output.response.response;
+        ui.ctx().accesskit_node_builder(id, |node| {
+            node.set_label(format!("Name of {}", self.title));
+        });
+        if field.lost_focus() {
+            let is_escaped = ui.input(|input| input.key_pressed(Key::Escape));
+            if name != typed {
+                wished.push(Action::Type(name));
+            }
+            wished.push(Action::EndRenaming(!is_escaped));
+            return;
+        }
+        if !field.has_focus() && !had_focus {
+            field.request_focus();
+            let whole = CCursorRange::two(CCursor::new(0), CCursor::new(name.chars().count()));
+            output.state.cursor.set_char_range(Some(whole));
+            output.state.store(ui.ctx(), id);
+        }
+        if name != typed {
+            wished.push(Action::Type(name));
+        }
+    }
+
+    fn menu_button(&self, ui: &mut Ui, wished: &mut Vec<Action>) {
+        let menu = ui.menu_button("…", |ui| self.menu(ui, wished));
+        let name = format!("Menu of {}", self.title);
+        menu.response
+            .widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        menu.response
+            .on_hover_text("Show alone, rename, duplicate, copy, move, remove");
+    }
+
+    fn menu(&self, ui: &mut Ui, wished: &mut Vec<Action>) {
+        let mut item = |ui: &mut Ui, is_enabled: bool, words: [&str; 2], action: Action| {
+            let [name, hint] = words;
+            let item = ui.add_enabled(is_enabled, Button::new(name));
+            if item.on_hover_text(hint).clicked() {
+                wished.push(action);
+                ui.close();
+            }
+        };
+        let is_several = self.materials.count() > 1;
+        if self.is_alone() {
+            let words = ["Show with the others", "Show all that are ticked again"];
+            item(ui, true, words, Action::SetSolo(false));
+        } else {
+            let words = [
+                "Show alone",
+                "Hide all others until it is shown with them again",
+            ];
+            item(ui, is_several, words, Action::SetSolo(true));
+        }
+        ui.separator();
+        let words = ["Rename", "Give it a name of its own (F2)"];
+        item(ui, true, words, Action::StartRenaming);
+        let words = [
+            "Duplicate",
+            "Add another one like it, to be changed beside it",
+        ];
+        item(ui, true, words, Action::Duplicate);
+        let words = [
+            "Copy as text",
+            "Copy it as text that can be pasted here, kept as a file, or given to the command line",
+        ];
+        item(ui, true, words, Action::Copy);
+        ui.separator();
+        let place = self.place();
+        let words = [
+            "Move up",
+            "Move it up in this list and in the legends (Alt+Up)",
+        ];
+        item(
+            ui,
+            place > 0,
+            words,
+            Action::MoveTo(place.saturating_sub(1)),
+        );
+        let words = [
+            "Move down",
+            "Move it down in this list and in the legends (Alt+Down)",
+        ];
+        item(ui, !self.is_last(), words, Action::MoveTo(place + 1));
+        ui.separator();
+        let words = [
+            "Remove",
+            "Remove it from the session; one is always left (Delete)",
+        ];
+        item(ui, is_several, words, Action::Remove);
+    }
+}
