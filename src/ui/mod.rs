@@ -9,6 +9,7 @@ pub mod history;
 pub mod memo;
 pub mod scene3d;
 pub mod session;
+pub mod store;
 pub mod theme;
 pub mod views;
 pub mod widgets;

@@ -33,6 +33,14 @@ pub const THUMBNAIL_SIZE: f32 = 36.0;
 pub const SHARE_BAR: Vec2 = Vec2::new(120.0, 12.0);
 /// The size of a sample of a colour in a legend, in points.
 pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
+/// The largest size of the help, in points.
+pub const HELP_SIZE: Vec2 = Vec2::new(560.0, 560.0);
+/// The room around the help, in points.
+pub const HELP_MARGIN: f32 = 80.0;
+/// The width of the column of keys in the help, in points.
+pub const HELP_KEYS_WIDTH: f32 = 200.0;
+/// The width of the search of the commands and the height of its list, in points.
+pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
 /// The height of a row of a legend, in points.
 pub const LEGEND_ROW: f32 = 17.0;
 /// The size of the grip by which a row is dragged, in points.

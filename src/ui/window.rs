@@ -4,6 +4,7 @@ use std::env;
 
 use super::app::App;
 use super::session::Session;
+use super::store::{Native, Store};
 use super::{headless, theme};
 use crate::error::{Error, Result};
 
@@ -26,12 +27,9 @@ pub fn run() -> Result<()> {
         "brdf-explorer",
         options,
         Box::new(|cc| {
-            Ok(Box::new(App::new(
-                cc,
-                Session::default(),
-                None,
-                Some(seconds),
-            )))
+            let mut app = App::new(cc, Session::default(), None, Some(seconds));
+            app.work_on(Store::platform(), Box::new(Native::default()));
+            Ok(Box::new(app))
         }),
     )
     .map_err(|error| refusal(&error))

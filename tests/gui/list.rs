@@ -302,6 +302,10 @@ fn rubbish_in_the_clipboard_is_refused_and_nothing_is_lost() {
         click(&mut harness, "Dismiss");
         assert!(!is_said(&harness, said), "{said}");
     }
+    let picture = egui::ColorImage::filled([2, 2], egui::Color32::WHITE);
+    harness.event(Event::PasteImage(std::sync::Arc::new(picture)));
+    harness.run();
+    assert!(is_said(&harness, "clipboard: a picture, no text"));
     // A text field takes what is pasted into it.
     harness.get_by_label("Search models").click();
     harness.run();

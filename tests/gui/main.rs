@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a failed step is a failed test")]
 
+mod commands;
+mod files;
 mod history;
 mod interaction;
 mod list;
@@ -9,6 +11,8 @@ mod materials;
 mod overlay;
 mod render;
 mod screenshots;
+
+use std::path::PathBuf;
 
 use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
@@ -18,6 +22,28 @@ use brdf_explorer::ui::session::{Materials, Session};
 use brdf_explorer::ui::views;
 use egui::Theme;
 use egui_kittest::Harness;
+
+/// A folder of its own, removed in the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path =
+            std::env::temp_dir().join(format!("brdf-explorer-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
 
 /// The material of this text, or the named one with this id.
 fn material(text: &str) -> Material {

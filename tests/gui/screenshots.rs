@@ -3,11 +3,12 @@
 //! They are compared on the software driver only: other adapters round differently. Set `UPDATE_SNAPSHOTS=1` to
 //! accept new ones, and look at each.
 
+use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
 use brdf_explorer::ui::views::VIEWS;
 use eframe::egui_wgpu::wgpu;
-use egui::Theme;
-use egui_kittest::{SnapshotOptions, SnapshotResults, try_image_snapshot_options};
+use egui::{Key, Modifiers, Theme};
+use egui_kittest::{Harness, SnapshotOptions, SnapshotResults, try_image_snapshot_options};
 
 use super::{picture, session};
 
@@ -68,8 +69,18 @@ fn is_software_driver() -> bool {
         .any(|adapter| adapter.get_info().device_type == wgpu::DeviceType::Cpu)
 }
 
+/// The windows above the others: name and the keys that open them.
+const ABOVE: [(&str, Modifiers, Key); 2] = [
+    ("help", Modifiers::NONE, Key::F1),
+    ("search", Modifiers::COMMAND, Key::K),
+];
+
 fn compare(results: &mut SnapshotResults, name: &str, picture: Picture) {
-    let image = picture.harness().unwrap().render().unwrap();
+    compare_shown(results, name, &mut picture.harness().unwrap());
+}
+
+fn compare_shown(results: &mut SnapshotResults, name: &str, shown: &mut Harness<'_, App>) {
+    let image = shown.render().unwrap();
     let options = SnapshotOptions::new()
         .threshold(THRESHOLD)
         .max_failed_pixels(MAX_FAILED_PIXELS);
@@ -90,6 +101,13 @@ fn pictures_are_as_stored() {
                 ..picture(session(shown), None, size, theme)
             };
             compare(&mut results, &format!("{name}_{theme_name}"), window);
+        }
+        for (name, modifiers, key) in ABOVE {
+            let window = picture(session(&["rough_conductor"]), None, [1024, 640], theme);
+            let mut window = window.harness().unwrap();
+            window.key_press_modifiers(modifiers, key);
+            window.run();
+            compare_shown(&mut results, &format!("{name}_{theme_name}"), &mut window);
         }
         for view in &VIEWS {
             for (what, shown) in SHOWN {
@@ -119,7 +137,7 @@ fn the_stored_pictures_are_one_per_view_model_and_theme() {
     }
     assert_eq!(
         names.len(),
-        THEMES.len() * (WINDOWS.len() + VIEWS.len() * SHOWN.len()),
+        THEMES.len() * (WINDOWS.len() + ABOVE.len() + VIEWS.len() * SHOWN.len()),
         "{names:?}"
     );
     assert!(bytes <= MAX_BYTES, "{bytes} bytes");

@@ -1,10 +1,11 @@
 //! The window: panels around the views.
 
-use egui::{CentralPanel, Panel, RichText, ScrollArea, Ui};
+use egui::{Align, CentralPanel, Context, Layout, Panel, RichText, ScrollArea, Ui};
 
+use super::commands::Command;
 use super::data::{Clock, Data};
 use super::history::History;
-use super::session::{self, Opened, Session};
+use super::session::Session;
 use super::theme::{self, Palette};
 use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
 use super::widgets::components::Components;
@@ -12,9 +13,12 @@ use super::widgets::materials::MaterialList;
 use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
-use super::widgets::{directions, options, status};
+use super::widgets::search::{Outcome, Search};
+use super::widgets::{directions, help, options, status};
 use super::{commands, scene3d};
-use crate::error::Result;
+use files::Files;
+
+mod files;
 
 /// The application.
 pub struct App {
@@ -30,6 +34,9 @@ pub struct App {
     components: Components,
     list: MaterialList,
     notice: Notice,
+    files: Option<Files>,
+    search: Option<Search>,
+    is_help_shown: bool,
 }
 
 impl App {
@@ -60,6 +67,9 @@ impl App {
             components: Components::default(),
             list: MaterialList::default(),
             notice: Notice::default(),
+            files: None,
+            search: None,
+            is_help_shown: false,
         }
     }
 
@@ -76,11 +86,11 @@ impl App {
 
     fn show_side(&mut self, ui: &mut Ui, palette: &Palette) {
         ui.add_space(4.0);
+        self.list_header(ui);
         let Session {
             materials, locked, ..
         } = &mut self.session;
-        let is_adding = &mut self.picker.is_adding;
-        let listed = self.list.show(ui, materials, is_adding, palette);
+        let listed = self.list.show(ui, materials, palette);
         self.notice.report(listed);
         ui.separator();
         let picked = self.picker.show(ui, materials);
@@ -110,33 +120,91 @@ impl App {
         });
     }
 
-    /// Adds the material that is pasted where no text field takes it.
-    fn paste(&mut self, ui: &Ui) {
-        if ui.ctx().text_edit_focused() {
-            return;
-        }
-        let pasted = ui.input(|input| {
-            let mut events = input.events.iter().rev();
-            events.find_map(|event| match event {
-                egui::Event::Paste(text) => Some(text.clone()),
-                _ => None,
-            })
+    /// The heading of the list, with the commands that add to it.
+    fn list_header(&mut self, ui: &mut Ui) {
+        let mut wished = None;
+        ui.horizontal(|ui| {
+            ui.label(RichText::new("Your materials").strong());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                for command in [&commands::PASTE, &commands::ADD] {
+                    if command.button(ui, self) {
+                        wished = Some(command);
+                    }
+                }
+            });
         });
-        if let Some(text) = pasted {
-            self.take(session::pasted(&text));
+        self.run(wished, ui.ctx());
+    }
+
+    /// The bar at the top: the menu of files, undo and redo, and how values are drawn.
+    fn show_top(&mut self, ui: &mut Ui) {
+        let mut wished = None;
+        options::headline(ui, |ui| {
+            wished = self.file_menu(ui);
+            for command in [&commands::UNDO, &commands::REDO, &commands::HELP] {
+                if command.button(ui, self) {
+                    wished = Some(command);
+                }
+            }
+        });
+        self.run(wished, ui.ctx());
+        options::show(ui, &mut self.session);
+    }
+
+    fn run(&mut self, wished: Option<&'static Command>, ctx: &Context) {
+        if let Some(command) = wished {
+            command.try_run(self, ctx);
         }
     }
 
-    /// Shows what was opened: a session in place of this one, a material beside the others.
-    fn take(&mut self, opened: Result<Opened>) {
-        let taken = opened.and_then(|opened| match opened {
-            Opened::Session(session) => {
-                self.session = *session;
-                Ok(())
+    /// Replaces the session and forgets what was done before: there is nothing to undo.
+    fn restart(&mut self, session: Session) {
+        self.history = History::new(&session);
+        self.session = session;
+    }
+
+    /// Lets the picker add the next choice, or not any more.
+    pub fn start_adding(&mut self) {
+        self.picker.is_adding ^= true;
+    }
+
+    /// Adds another material like the selected one.
+    pub fn duplicate(&mut self) {
+        let id = self.session.materials.selected().id();
+        let added = self.session.materials.duplicate(id);
+        self.notice.report(added);
+    }
+
+    /// Copies the session as text.
+    pub fn copy_session(&mut self, ctx: &Context) {
+        let text = self.session.to_toml();
+        if let Some(text) = self.notice.report(text) {
+            ctx.copy_text(text);
+        }
+    }
+
+    /// Shows the search of the commands.
+    pub fn start_search(&mut self) {
+        self.search = Some(Search::default());
+    }
+
+    /// Shows what keys and the mouse do, or no longer.
+    pub fn show_help(&mut self) {
+        self.is_help_shown ^= true;
+    }
+
+    /// The windows above all else: the help, and the search of the commands.
+    fn show_windows(&mut self, ctx: &Context) {
+        if self.is_help_shown {
+            self.is_help_shown = help::show(ctx);
+        }
+        if let Some(mut search) = self.search.take() {
+            match search.show(ctx, self) {
+                Outcome::Open => self.search = Some(search),
+                Outcome::Closed => {}
+                Outcome::Chosen(command) => command.try_run(self, ctx),
             }
-            Opened::Material(material) => self.session.materials.add(*material).map(|_| ()),
-        });
-        self.notice.report(taken);
+        }
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -169,21 +237,8 @@ impl eframe::App for App {
             return;
         }
         commands::run_pressed(self, ui.ctx());
-        self.paste(ui);
-        Panel::top("top").show(ui, |ui| {
-            let mut wished = None;
-            options::headline(ui, |ui| {
-                for command in [&commands::UNDO, &commands::REDO] {
-                    if command.button(ui, self) {
-                        wished = Some(command);
-                    }
-                }
-            });
-            if let Some(command) = wished {
-                command.try_run(self, ui.ctx());
-            }
-            options::show(ui, &mut self.session);
-        });
+        self.take_what_comes(ui.ctx());
+        Panel::top("top").show(ui, |ui| self.show_top(ui));
         Panel::bottom("status").show(ui, |ui| {
             let shares = self
                 .data
@@ -208,10 +263,16 @@ impl eframe::App for App {
         CentralPanel::no_frame()
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
+        self.show_windows(ui.ctx());
         let dragged = ui.ctx().dragged_id().or(ui.ctx().drag_stopped_id());
         self.history.record(&self.session, dragged);
+        self.keep(ui.ctx());
         if self.cursor != before {
             ui.ctx().request_repaint();
         }
+    }
+
+    fn on_exit(&mut self) {
+        self.keep_now();
     }
 }

@@ -2,93 +2,12 @@
 
 use std::fmt;
 
+use super::entry::{EntryId, MaterialEntry, Slot};
 use crate::bxdf::Material;
 use crate::error::{Error, Result};
 
 /// The most materials of a session: more cannot be told apart, and a file of thousands would stop the window.
 pub const MAX_MATERIALS: usize = 32;
-
-/// What tells a material of a session from the others, whatever becomes of its name and its place in the list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct EntryId(pub(super) u32);
-
-/// The place in the palette of materials: a colour and a line style that it keeps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Slot(pub u8);
-
-/// A material of the session, and how it is shown.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MaterialEntry {
-    pub(super) id: EntryId,
-    pub(super) slot: Slot,
-    /// The name the user gave it; empty for that of the material.
-    pub name: String,
-    /// The material.
-    pub material: Material,
-    /// Whether the views show it, where no other is alone.
-    pub is_visible: bool,
-    /// Whether the widths alpha_x and alpha_y move together.
-    pub has_linked_widths: bool,
-}
-
-impl MaterialEntry {
-    pub(super) fn new(id: EntryId, slot: Slot, material: Material) -> Self {
-        Self {
-            id,
-            slot,
-            name: String::new(),
-            has_linked_widths: has_equal_widths(&material),
-            material,
-            is_visible: true,
-        }
-    }
-
-    /// What it is known by.
-    #[must_use]
-    pub fn id(&self) -> EntryId {
-        self.id
-    }
-
-    /// Its colour and line style.
-    #[must_use]
-    pub fn slot(&self) -> Slot {
-        self.slot
-    }
-
-    /// Its name at the screen, which others may share: see [`Materials::title`].
-    #[must_use]
-    pub fn title(&self) -> String {
-        if self.name.is_empty() {
-            self.material.title()
-        } else {
-            self.name.clone()
-        }
-    }
-
-    /// Gives it this name; nothing, or the name of the material, is no name of its own.
-    pub fn rename(&mut self, name: &str) {
-        let name = name.trim();
-        self.name = if name == self.material.title() {
-            String::new()
-        } else {
-            name.to_owned()
-        };
-    }
-
-    /// Replaces the material; its widths are linked where they are equal.
-    pub fn replace(&mut self, material: Material) {
-        self.has_linked_widths = has_equal_widths(&material);
-        self.material = material;
-    }
-}
-
-/// Whether no lobe of `material` is wider along s than along t.
-pub(super) fn has_equal_widths(material: &Material) -> bool {
-    material.components().iter().all(|component| {
-        let [x, y] = ["alpha_x", "alpha_y"].map(|name| component.params().get(name));
-        x == y
-    })
-}
 
 /// The materials of a session, at least one, in the order of the list. One is selected: the panels edit it.
 #[derive(Clone, PartialEq)]
@@ -181,6 +100,15 @@ impl Materials {
     pub fn select(&mut self, id: EntryId) {
         if self.get(id).is_some() {
             self.selected = id;
+        }
+    }
+
+    /// Selects the material so many places below the selected one, or above; beyond the ends there is none.
+    pub fn select_neighbour(&mut self, places: isize) {
+        let index = self.position(self.selected().id).unwrap_or(0);
+        let neighbour = index.checked_add_signed(places);
+        if let Some(entry) = neighbour.and_then(|index| self.entries.get(index)) {
+            self.selected = entry.id;
         }
     }
 
@@ -358,6 +286,11 @@ mod tests {
         assert_eq!(ids(&materials), [1]);
         materials.select(EntryId(9));
         assert_eq!(materials.selected().id(), EntryId(1));
+        let mut materials = three();
+        for (places, expected) in [(1, 2), (1, 3), (1, 3), (-1, 2), (-1, 1), (-1, 1)] {
+            materials.select_neighbour(places);
+            assert_eq!(materials.selected().id(), EntryId(expected));
+        }
     }
 
     #[test]

@@ -10,14 +10,16 @@ use crate::analysis::{Channel, Hold, RadialScale};
 use crate::bxdf::math::frame;
 use crate::bxdf::{Material, Side, models};
 
+mod entry;
 mod file;
 mod materials;
 mod stored;
 mod text;
 mod ties;
 
+pub use entry::{EntryId, MaterialEntry, Slot};
 pub use file::VERSION;
-pub use materials::{EntryId, MAX_MATERIALS, MaterialEntry, Materials, Slot};
+pub use materials::{MAX_MATERIALS, Materials};
 pub use text::{MAX_TEXT, Opened, pasted, read};
 pub use ties::WIDTHS;
 
@@ -147,6 +149,15 @@ impl Session {
         if w.x.hypot(w.y) > 1e-3 {
             self.phi_deg = wrapped_deg(tenth(frame::phi(w)));
         }
+    }
+
+    /// Shows lengths by decades, or in proportion.
+    pub fn set_logarithmic(&mut self, is_logarithmic: bool) {
+        self.scale = if is_logarithmic {
+            RadialScale::Logarithmic { decades: DECADES }
+        } else {
+            RadialScale::Linear
+        };
     }
 
     /// Whether the views show what is below the surface: where light can cross it, or comes from below.

@@ -6,9 +6,8 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
-use super::materials::{
-    EntryId, MAX_MATERIALS, MaterialEntry, Materials, Slot, has_equal_widths, limit,
-};
+use super::entry::{EntryId, MaterialEntry, Slot, has_equal_widths};
+use super::materials::{MAX_MATERIALS, Materials, limit};
 use crate::bxdf::Material;
 
 /// A material in the file. Only the material must be given: the rest is what a new one gets.

@@ -3,7 +3,7 @@
 use toml::de::DeTable;
 
 use super::Session;
-use super::materials::MaterialEntry;
+use super::entry::MaterialEntry;
 use crate::bxdf::Material;
 use crate::bxdf::material::{file, library};
 use crate::error::{Error, Result};

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::materials::{MaterialEntry, Materials};
+use super::entry::MaterialEntry;
+use super::materials::Materials;
 use crate::bxdf::param::{ParamSpec, Value};
 use crate::bxdf::{Component, Material};
 

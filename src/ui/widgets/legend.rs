@@ -26,6 +26,9 @@ const MAX_ROWS: usize = 4;
 /// Between the sample and the name, and between two entries, in points.
 const GAPS: [f32; 2] = [6.0, 14.0];
 
+/// The room to the left of the first entry, in points.
+const MARGIN: f32 = 4.0;
+
 /// An entry of the legend, laid out.
 struct Item<'a> {
     entry: &'a MaterialEntry,
@@ -80,7 +83,7 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
     let [gap, distance] = GAPS;
     let width = ui.available_width();
     let longest = 0.5 * width - theme::LINE_SAMPLE - gap - distance;
-    let (mut x, mut row) = (0.0, 0);
+    let (mut x, mut row) = (MARGIN, 0);
     let mut items = Vec::new();
     for entry in session.materials.shown() {
         let title = session.materials.title(entry);
@@ -91,8 +94,8 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
             FontSelection::Default,
         );
         let size = vec2(theme::LINE_SAMPLE + gap + text.size().x, theme::LEGEND_ROW);
-        if x > 0.0 && x + size.x > width {
-            (x, row) = (0.0, row + 1);
+        if x > MARGIN && x + size.x > width {
+            (x, row) = (MARGIN, row + 1);
         }
         if row == MAX_ROWS {
             break;

@@ -3,12 +3,14 @@
 pub mod components;
 pub mod directions;
 pub mod draw;
+pub mod help;
 pub mod legend;
 pub mod materials;
 pub mod notice;
 pub mod options;
 pub mod params;
 pub mod picker;
+pub mod search;
 pub mod shares;
 pub mod status;
 pub mod thumbnails;

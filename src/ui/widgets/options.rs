@@ -2,8 +2,7 @@
 
 use egui::{RichText, ThemePreference, Ui};
 
-use crate::analysis::RadialScale;
-use crate::ui::session::{Curves, DECADES, LobeSurface, Session};
+use crate::ui::session::{Curves, LobeSurface, Session};
 use crate::ui::theme;
 
 /// The line that says what to try first.
@@ -57,11 +56,7 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
         ui.selectable_value(&mut is_logarithmic, true, "Logarithmic")
             .on_hover_text("Lengths by decades below the peak: shows the tails of a narrow lobe");
         if is_logarithmic != session.scale.is_logarithmic() {
-            session.scale = if is_logarithmic {
-                RadialScale::Logarithmic { decades: DECADES }
-            } else {
-                RadialScale::Linear
-            };
+            session.set_logarithmic(is_logarithmic);
         }
         ui.checkbox(&mut session.with_cosine, "Times cos θ")
             .on_hover_text(

@@ -1,12 +1,9 @@
 //! The list of materials: which there are, which are seen, which is selected, in which order.
 
-use egui::{
-    Align, Button, Id, Key, Layout, Modifiers, Rect, RichText, ScrollArea, Ui, UiBuilder,
-    ViewportCommand,
-};
+use egui::{Id, Key, Modifiers, Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::error::Result;
-use crate::ui::session::{EntryId, MAX_MATERIALS, Materials};
+use crate::ui::session::{EntryId, Materials};
 use crate::ui::theme::{self, Palette};
 use row::Row;
 
@@ -50,7 +47,7 @@ pub(super) enum Action {
 }
 
 impl MaterialList {
-    /// The list. `is_adding`: whether the next choice of the picker is added.
+    /// The list; it changes `materials`.
     ///
     /// # Errors
     /// [`crate::Error::Limit`] where there are as many materials as a session has.
@@ -58,10 +55,8 @@ impl MaterialList {
         &mut self,
         ui: &mut Ui,
         materials: &mut Materials,
-        is_adding: &mut bool,
         palette: &Palette,
     ) -> Result<()> {
-        header(ui, materials, is_adding);
         let mut wished = Vec::new();
         let area = ScrollArea::vertical()
             .id_salt("material list")
@@ -156,35 +151,6 @@ impl MaterialList {
         }
         Ok(())
     }
-}
-
-/// The heading, and what adds materials.
-fn header(ui: &mut Ui, materials: &Materials, is_adding: &mut bool) {
-    let is_room = materials.count() < MAX_MATERIALS;
-    let full = format!("There are {MAX_MATERIALS} materials, as many as a session has");
-    ui.horizontal(|ui| {
-        ui.label(RichText::new("Your materials").strong());
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.add_enabled_ui(is_room, |ui| {
-                let paste = ui.button("Paste");
-                if paste
-                    .on_hover_text(
-                        "Add the material of the clipboard: id:name=value,name=value, or the text of a material file \
-                         (Ctrl+V)",
-                    )
-                    .on_disabled_hover_text(&full)
-                    .clicked()
-                {
-                    ui.ctx().send_viewport_cmd(ViewportCommand::RequestPaste);
-                }
-                let add = ui
-                    .add(Button::new("Add…").selected(*is_adding))
-                    .on_hover_text("Add the model or material chosen next in the list below")
-                    .on_disabled_hover_text(&full);
-                *is_adding ^= add.clicked();
-            });
-        });
-    });
 }
 
 /// The material whose grip is dragged, and the place it is dragged to where that is another one.

@@ -1,0 +1,342 @@
+//! The one list of commands, which buttons, menus, shortcuts, the search and the help make use of.
+
+use egui::{Key, KeyboardShortcut, Modifiers, ViewportCommand};
+
+use super::{Command, Group, command};
+use crate::analysis::Hold;
+use crate::ui::app::App;
+use crate::ui::session::{Curves, MAX_MATERIALS, Session};
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+const PLAIN: Modifiers = Modifiers::NONE;
+
+const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(modifiers, key)
+}
+
+/// Begins anew.
+pub static NEW: Command = command(
+    Group::File,
+    [
+        "new",
+        "New session",
+        "Begin anew; undo brings this session back",
+    ],
+    &[key(CTRL, Key::N)],
+    |app, _| app.session = Session::default(),
+);
+
+/// Opens a file.
+pub static OPEN: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        [
+            "open",
+            "Open…",
+            "Open a session in place of this one, or a material beside the others; files can be dropped on the window too",
+        ],
+        &[key(CTRL, Key::O)],
+        |app, _| app.ask_open(),
+    )
+};
+
+/// Saves to the file of the session.
+pub static SAVE: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        ["save", "Save", "Save the session to its file"],
+        &[key(CTRL, Key::S)],
+        |app, _| app.save(),
+    )
+};
+
+/// Saves to another file.
+pub static SAVE_AS: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        ["save_as", "Save as…", "Save the session to another file"],
+        &[key(CTRL_SHIFT, Key::S)],
+        |app, _| app.ask_save(),
+    )
+};
+
+/// Copies the session.
+pub static COPY_SESSION: Command = command(
+    Group::File,
+    [
+        "copy_session",
+        "Copy session as text",
+        "Copy all that is on the screen as one text, which restores it where it is pasted",
+    ],
+    &[key(CTRL_SHIFT, Key::C)],
+    App::copy_session,
+);
+
+/// Pastes what is in the clipboard.
+pub static PASTE: Command = command(
+    Group::File,
+    [
+        "paste",
+        "Paste",
+        "Add the material of the clipboard (id:name=value,name=value, or the text of a file), or go over to its session",
+    ],
+    &[key(CTRL, Key::V)],
+    |_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
+);
+
+/// Takes back the last edit.
+pub static UNDO: Command = Command {
+    is_enabled: |app| app.history.can_undo(),
+    ..command(
+        Group::Edit,
+        ["undo", "Undo", "Take back the last edit of the session"],
+        &[key(CTRL, Key::Z)],
+        |app, _| app.history.undo(&mut app.session),
+    )
+};
+
+/// Does again what was taken back.
+pub static REDO: Command = Command {
+    is_enabled: |app| app.history.can_redo(),
+    ..command(
+        Group::Edit,
+        ["redo", "Redo", "Do again what was taken back"],
+        &[key(CTRL_SHIFT, Key::Z), key(CTRL, Key::Y)],
+        |app, _| app.history.redo(&mut app.session),
+    )
+};
+
+/// Adds the next choice of the picker.
+pub static ADD: Command = Command {
+    is_enabled: has_room,
+    ..command(
+        Group::Materials,
+        [
+            "add",
+            "Add…",
+            "Add the model or material chosen next in the list at the side",
+        ],
+        &[key(CTRL, Key::M)],
+        |app, _| app.start_adding(),
+    )
+};
+
+/// Duplicates the selected material.
+pub static DUPLICATE: Command = Command {
+    is_enabled: has_room,
+    ..command(
+        Group::Materials,
+        [
+            "duplicate",
+            "Duplicate the selected material",
+            "Add another one like it, to be changed beside it",
+        ],
+        &[key(CTRL, Key::D)],
+        |app, _| app.duplicate(),
+    )
+};
+
+/// Removes the selected material.
+pub static REMOVE: Command = Command {
+    is_enabled: is_several,
+    ..command(
+        Group::Materials,
+        [
+            "remove",
+            "Remove the selected material",
+            "Remove it from the session; one is always left",
+        ],
+        &[key(CTRL, Key::Delete), key(CTRL, Key::Backspace)],
+        |app, _| {
+            let id = app.session.materials.selected().id();
+            app.session.materials.remove(id);
+        },
+    )
+};
+
+/// Shows the selected material alone.
+pub static SOLO: Command = Command {
+    is_enabled: is_several,
+    ..command(
+        Group::Materials,
+        [
+            "solo",
+            "Show the selected material alone",
+            "Hide all others, or show them again",
+        ],
+        &[key(PLAIN, Key::S)],
+        |app, _| {
+            let materials = &mut app.session.materials;
+            let id = materials.selected().id();
+            let is_alone = materials.solo() == Some(id);
+            materials.set_solo((!is_alone).then_some(id));
+        },
+    )
+};
+
+/// Selects the material above.
+pub static PREVIOUS: Command = Command {
+    is_enabled: is_several,
+    ..command(
+        Group::Materials,
+        [
+            "previous",
+            "Select the material above",
+            "Edit the one before it in the list",
+        ],
+        &[key(CTRL, Key::ArrowUp)],
+        |app, _| app.session.materials.select_neighbour(-1),
+    )
+};
+
+/// Selects the material below.
+pub static NEXT: Command = Command {
+    is_enabled: is_several,
+    ..command(
+        Group::Materials,
+        [
+            "next",
+            "Select the material below",
+            "Edit the one after it in the list",
+        ],
+        &[key(CTRL, Key::ArrowDown)],
+        |app, _| app.session.materials.select_neighbour(1),
+    )
+};
+
+/// Holds the other direction.
+pub static HOLD: Command = command(
+    Group::View,
+    [
+        "hold",
+        "Hold the light or the viewer",
+        "Go over from the one direction held to the other",
+    ],
+    &[key(PLAIN, Key::H)],
+    |app, _| {
+        app.session.hold = match app.session.hold {
+            Hold::Light => Hold::Viewer,
+            Hold::Viewer => Hold::Light,
+        };
+    },
+);
+
+/// Changes between the radial scales.
+pub static SCALE: Command = command(
+    Group::View,
+    [
+        "scale",
+        "Linear or logarithmic radius",
+        "Go over from lengths in proportion to f to lengths by decades, or back",
+    ],
+    &[key(PLAIN, Key::L)],
+    |app, _| {
+        let is_logarithmic = app.session.scale.is_logarithmic();
+        app.session.set_logarithmic(!is_logarithmic);
+    },
+);
+
+/// Multiplies by the cosine, or does not.
+pub static COSINE: Command = command(
+    Group::View,
+    [
+        "cosine",
+        "Times cos θ",
+        "Show f |cos θ| of the free direction, or f alone",
+    ],
+    &[key(PLAIN, Key::C)],
+    |app, _| app.session.with_cosine ^= true,
+);
+
+/// Changes between luminance and channels.
+pub static CURVES: Command = Command {
+    is_enabled: |app| !app.session.materials.is_overlay(),
+    ..command(
+        Group::View,
+        [
+            "curves",
+            "Luminance, or R, G and B",
+            "Go over from one curve in the polar plot to three, or back",
+        ],
+        &[key(PLAIN, Key::R)],
+        |app, _| {
+            app.session.curves = match app.session.curves {
+                Curves::Luminance => Curves::Rgb,
+                Curves::Rgb => Curves::Luminance,
+            };
+        },
+    )
+};
+
+/// Draws the angles, or does not.
+pub static ANGLES: Command = command(
+    Group::View,
+    [
+        "angles",
+        "Angles of the held direction",
+        "Draw theta, phi and the projection in the 3D lobe, or do not",
+    ],
+    &[key(PLAIN, Key::A)],
+    |app, _| app.session.show_geometry ^= true,
+);
+
+/// Searches the commands.
+pub static SEARCH: Command = command(
+    Group::Help,
+    [
+        "search",
+        "Search commands",
+        "Find a command by its name and run it",
+    ],
+    &[key(CTRL, Key::K), key(CTRL, Key::P)],
+    |app, _| app.start_search(),
+);
+
+/// Shows the help.
+pub static HELP: Command = command(
+    Group::Help,
+    [
+        "help",
+        "Keyboard and mouse",
+        "Show what keys and the mouse do",
+    ],
+    &[key(PLAIN, Key::F1), key(PLAIN, Key::Questionmark)],
+    |app, _| app.show_help(),
+);
+
+/// Every command, in the order of the menus and the help.
+pub static COMMANDS: [&Command; 21] = [
+    &NEW,
+    &OPEN,
+    &SAVE,
+    &SAVE_AS,
+    &COPY_SESSION,
+    &PASTE,
+    &UNDO,
+    &REDO,
+    &ADD,
+    &DUPLICATE,
+    &REMOVE,
+    &SOLO,
+    &PREVIOUS,
+    &NEXT,
+    &HOLD,
+    &SCALE,
+    &COSINE,
+    &CURVES,
+    &ANGLES,
+    &SEARCH,
+    &HELP,
+];
+
+fn has_room(app: &App) -> bool {
+    app.session.materials.count() < MAX_MATERIALS
+}
+
+fn is_several(app: &App) -> bool {
+    app.session.materials.count() > 1
+}

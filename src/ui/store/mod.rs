@@ -1,0 +1,251 @@
+//! Where sessions are kept: in files of the user's, and between two runs of the program.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::session::{self, Opened, Session};
+use crate::error::{Error, Result};
+
+mod dialogs;
+mod files;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use dialogs::Native;
+pub use dialogs::{Dialogs, Question};
+#[cfg(not(target_arch = "wasm32"))]
+pub use files::Disk;
+pub use files::Files;
+
+/// The largest file that is read, in bytes: ten times the largest session.
+pub const MAX_FILE: u64 = 1 << 20;
+
+/// The session of the last run, in the folder of the program's data.
+const LAST_SESSION: &str = "session.toml";
+
+/// The list of the files opened last, beside it.
+const RECENT: &str = "recent.toml";
+
+/// How many recent files are kept.
+const MAX_RECENT: usize = 8;
+
+/// How long an edit may stay unsaved, in seconds: what a crash costs at most.
+const DELAY: f64 = 1.0;
+
+/// The files opened last, as they stand in their list.
+#[derive(Default, Serialize, Deserialize)]
+struct Recent {
+    files: Vec<PathBuf>,
+}
+
+/// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
+pub struct Store {
+    files: Box<dyn Files>,
+    /// Where the program keeps its own.
+    folder: Option<PathBuf>,
+    recent: Vec<PathBuf>,
+    /// The session as it was last kept for the next run.
+    kept: Option<Session>,
+    /// When the session was first seen to differ from it, in the time of the window.
+    changed_at: Option<f64>,
+}
+
+impl Store {
+    /// A store on `files`, which keeps the program's own in `folder`; without one it keeps nothing for the next run.
+    #[must_use]
+    pub fn new(files: Box<dyn Files>, folder: Option<PathBuf>) -> Self {
+        let mut store = Self {
+            files,
+            folder,
+            recent: Vec::new(),
+            kept: None,
+            changed_at: None,
+        };
+        store.recent = store.read_recent();
+        store
+    }
+
+    /// The store of this machine, in the folder where programs keep their data.
+    #[cfg(not(target_arch = "wasm32"))]
+    #[must_use]
+    pub fn platform() -> Self {
+        let folders = directories::ProjectDirs::from("", "", "brdf-explorer");
+        let folder = folders.map(|folders| folders.data_dir().to_owned());
+        Self::new(Box::new(Disk), folder)
+    }
+
+    /// The session of the last run, or the one before it where that cannot be read; and why it cannot.
+    pub fn restore(&mut self) -> (Option<Session>, Option<Error>) {
+        let Some(path) = self.own(LAST_SESSION) else {
+            return (None, None);
+        };
+        let mut first_problem = None;
+        for path in [path.clone(), backup(&path)] {
+            match self.read_session(&path) {
+                Ok(session) => {
+                    self.kept = first_problem.is_none().then(|| session.clone());
+                    return (Some(session), first_problem);
+                }
+                Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {}
+                Err(error) => first_problem = first_problem.or(Some(error)),
+            }
+        }
+        (None, first_problem)
+    }
+
+    /// Keeps the session for the next run, a moment after it has changed; `now` in seconds. Returns after how many
+    /// seconds it has to be asked again.
+    ///
+    /// # Errors
+    /// Where it cannot be written; it is tried again with the next change.
+    pub fn keep(&mut self, session: &Session, now: f64) -> Result<Option<f64>> {
+        if self.folder.is_none() || self.kept.as_ref() == Some(session) {
+            self.changed_at = None;
+            return Ok(None);
+        }
+        let changed_at = *self.changed_at.get_or_insert(now);
+        let left = changed_at + DELAY - now;
+        if left > 0.0 {
+            return Ok(Some(left));
+        }
+        self.keep_now(session).map(|()| None)
+    }
+
+    /// Keeps the session for the next run, at once.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn keep_now(&mut self, session: &Session) -> Result<()> {
+        let Some(path) = self.own(LAST_SESSION) else {
+            return Ok(());
+        };
+        if self.kept.as_ref() == Some(session) {
+            return Ok(());
+        }
+        self.changed_at = None;
+        // Whatever becomes of it: it is not tried again in every frame.
+        self.kept = Some(session.clone());
+        self.make_own_folder()?;
+        self.replace(&path, &session.to_toml()?)
+    }
+
+    /// Writes the session to a file of the user's.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub fn save(&mut self, path: &Path, session: &Session) -> Result<()> {
+        self.replace(path, &session.to_toml()?)?;
+        self.remember(path);
+        Ok(())
+    }
+
+    /// Reads a file of the user's: a session or a material.
+    ///
+    /// # Errors
+    /// Where it cannot be read, is larger than [`MAX_FILE`], and where it is neither.
+    pub fn open(&mut self, path: &Path) -> Result<Opened> {
+        let opened = session::read(&self.text(path)?, &path.display().to_string())?;
+        self.remember(path);
+        Ok(opened)
+    }
+
+    /// The files opened or saved last, the latest first.
+    #[must_use]
+    pub fn recent(&self) -> &[PathBuf] {
+        &self.recent
+    }
+
+    fn own(&self, name: &str) -> Option<PathBuf> {
+        self.folder.as_ref().map(|folder| folder.join(name))
+    }
+
+    fn make_own_folder(&self) -> Result<()> {
+        match &self.folder {
+            Some(folder) => self
+                .files
+                .make_folder(folder)
+                .map_err(|error| Error::io(folder, error)),
+            None => Ok(()),
+        }
+    }
+
+    fn text(&self, path: &Path) -> Result<String> {
+        let bytes = self
+            .files
+            .read(path, MAX_FILE)
+            .map_err(|error| Error::io(path, error))?;
+        String::from_utf8(bytes).map_err(|_| {
+            let place = path.display().to_string();
+            Error::parse(place, "no text: neither a session nor a material")
+        })
+    }
+
+    fn read_session(&self, path: &Path) -> Result<Session> {
+        Session::from_toml(&self.text(path)?, &path.display().to_string())
+    }
+
+    /// Whether there is a session or a material at `path`.
+    fn is_good(&self, path: &Path) -> bool {
+        let read = self.text(path).and_then(|text| session::read(&text, ""));
+        read.is_ok()
+    }
+
+    /// Writes `text` to the file at `path`: beside it first, then moved into its place. What was there before is kept as
+    /// the backup, if it can be read: a broken file never takes the place of the last good one.
+    fn replace(&self, path: &Path, text: &str) -> Result<()> {
+        let temporary = with_suffix(path, ".partial");
+        let written = self
+            .files
+            .write(&temporary, text.as_bytes())
+            .and_then(|()| {
+                if self.is_good(path) {
+                    self.files.rename(path, &backup(path))?;
+                }
+                self.files.rename(&temporary, path)
+            });
+        written.map_err(|error| {
+            // The error that led here is the one to tell.
+            let _ = self.files.remove(&temporary);
+            Error::io(path, error)
+        })
+    }
+
+    fn read_recent(&self) -> Vec<PathBuf> {
+        // A list that is missing or broken is an empty one: nothing but convenience is lost.
+        let text = self.own(RECENT).and_then(|path| self.text(&path).ok());
+        let recent: Recent = text
+            .and_then(|text| toml::from_str(&text).ok())
+            .unwrap_or_default();
+        recent.files.into_iter().take(MAX_RECENT).collect()
+    }
+
+    fn remember(&mut self, path: &Path) {
+        self.recent.retain(|other| other != path);
+        self.recent.insert(0, path.to_owned());
+        self.recent.truncate(MAX_RECENT);
+        let recent = Recent {
+            files: self.recent.clone(),
+        };
+        if let (Some(list), Ok(text)) = (self.own(RECENT), toml::to_string(&recent))
+            && self.make_own_folder().is_ok()
+        {
+            // A list that cannot be kept is forgotten with the program.
+            let _ = self.files.write(&list, text.as_bytes());
+        }
+    }
+}
+
+/// The place of the last good file before the one at `path`.
+fn backup(path: &Path) -> PathBuf {
+    with_suffix(path, ".bak")
+}
+
+fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+    let mut name = path.file_name().map_or_else(OsString::new, OsString::from);
+    name.push(suffix);
+    path.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests;

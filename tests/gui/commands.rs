@@ -1,0 +1,126 @@
+//! Commands by key, by search, and their help.
+
+use brdf_explorer::analysis::Hold;
+use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::commands::COMMANDS;
+use brdf_explorer::ui::session::Curves;
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+use super::{window, window_of};
+
+fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
+    harness.key_press_modifiers(modifiers, key);
+    harness.run();
+}
+
+fn search(harness: &mut Harness<'_, App>, wanted: &str) {
+    press(harness, Modifiers::COMMAND, Key::K);
+    harness
+        .get_by_label("Search all commands")
+        .type_text(wanted);
+    harness.run();
+}
+
+#[test]
+fn single_keys_change_how_things_are_shown() {
+    let mut harness = window("gold");
+    for (key, name) in [
+        (Key::H, "held"),
+        (Key::L, "scale"),
+        (Key::C, "cosine"),
+        (Key::R, "curves"),
+        (Key::A, "angles"),
+    ] {
+        let before = harness.state().session.clone();
+        press(&mut harness, Modifiers::NONE, key);
+        assert_ne!(harness.state().session, before, "{name}");
+    }
+    let session = &harness.state().session;
+    assert!(session.hold == Hold::Viewer && session.scale.is_logarithmic());
+    assert!(session.with_cosine && session.show_geometry && session.curves == Curves::Rgb);
+}
+
+#[test]
+fn keys_that_are_typed_into_a_field_run_nothing() {
+    let mut harness = window("rough_conductor");
+    let before = harness.state().session.clone();
+    harness.get_by_label("Search models").click();
+    harness.run();
+    press(&mut harness, Modifiers::NONE, Key::H);
+    harness.get_by_label("Search models").type_text("hl");
+    harness.run();
+    assert_eq!(harness.state().session, before);
+}
+
+#[test]
+fn materials_are_handled_by_keys() {
+    let mut harness = window_of(&["gold", "phong"]);
+    let selected = |harness: &Harness<'_, App>| {
+        let all = &harness.state().session.materials;
+        all.title(all.selected())
+    };
+    press(&mut harness, Modifiers::COMMAND, Key::ArrowDown);
+    assert_eq!(selected(&harness), "Phong");
+    press(&mut harness, Modifiers::COMMAND, Key::D);
+    assert_eq!(selected(&harness), "Phong 2");
+    press(&mut harness, Modifiers::NONE, Key::S);
+    assert_eq!(harness.state().session.materials.shown().count(), 1);
+    press(&mut harness, Modifiers::NONE, Key::S);
+    assert_eq!(harness.state().session.materials.shown().count(), 3);
+    press(&mut harness, Modifiers::COMMAND, Key::Delete);
+    assert_eq!(selected(&harness), "Phong");
+    press(&mut harness, Modifiers::COMMAND, Key::ArrowUp);
+    assert_eq!(selected(&harness), "Gold");
+    press(&mut harness, Modifiers::COMMAND, Key::M);
+    assert!(harness.query_by_label("Choose what to add").is_some());
+}
+
+#[test]
+fn a_command_is_searched_and_run() {
+    let mut harness = window("gold");
+    search(&mut harness, "log radius");
+    assert!(harness.query_by_label("File: Open…").is_none());
+    press(&mut harness, Modifiers::NONE, Key::Enter);
+    assert!(harness.state().session.scale.is_logarithmic());
+    assert!(harness.query_by_label("Search all commands").is_none());
+    // Down goes to the next one found.
+    search(&mut harness, "view");
+    press(&mut harness, Modifiers::NONE, Key::ArrowDown);
+    press(&mut harness, Modifiers::NONE, Key::ArrowDown);
+    press(&mut harness, Modifiers::NONE, Key::ArrowUp);
+    press(&mut harness, Modifiers::NONE, Key::Enter);
+    assert!(!harness.state().session.scale.is_logarithmic());
+    search(&mut harness, "duplicate");
+    harness
+        .get_by_label("Materials: Duplicate the selected material")
+        .click();
+    harness.run();
+    assert_eq!(harness.state().session.materials.count(), 2);
+    search(&mut harness, "xyzzy");
+    assert!(
+        harness
+            .query_by_label("No command has these words")
+            .is_some()
+    );
+    press(&mut harness, Modifiers::NONE, Key::Escape);
+    assert!(harness.query_by_label("Search all commands").is_none());
+}
+
+#[test]
+fn the_help_lists_every_command_with_its_keys() {
+    let mut harness = window("gold");
+    press(&mut harness, Modifiers::NONE, Key::F1);
+    for command in COMMANDS {
+        let keys = command.keys(&harness.ctx);
+        assert!(!keys.is_empty());
+        assert!(harness.query_all_by_label(&keys).next().is_some(), "{keys}");
+    }
+    press(&mut harness, Modifiers::NONE, Key::Escape);
+    assert!(harness.query_by_label("At a slider").is_none());
+    press(&mut harness, Modifiers::NONE, Key::Questionmark);
+    harness.get_by_label("Close").click();
+    harness.run();
+    assert!(harness.query_by_label("At a slider").is_none());
+}

@@ -1,0 +1,271 @@
+//! Opening, saving, dropping and restoring, with the dialogs answered by the test.
+
+use std::cell::RefCell;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
+
+use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::session::{MaterialEntry, Session};
+use brdf_explorer::ui::store::{Dialogs, Disk, Question, Store};
+use egui::{Event, Key, Modifiers, OutputCommand};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+use super::{Folder, session, window, window_of};
+
+/// What is asked, and what is answered, in this order.
+#[derive(Default)]
+struct Script {
+    asked: Vec<Question>,
+    answers: Vec<Option<PathBuf>>,
+}
+
+/// Dialogs that answer from a script.
+struct Scripted {
+    script: Rc<RefCell<Script>>,
+    open: Option<Question>,
+}
+
+impl Dialogs for Scripted {
+    fn ask(&mut self, question: Question) {
+        self.script.borrow_mut().asked.push(question.clone());
+        self.open = Some(question);
+    }
+
+    fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    fn answer(&mut self) -> Option<(Question, Option<PathBuf>)> {
+        let answer = self.script.borrow_mut().answers.pop()?;
+        Some((self.open.take()?, answer))
+    }
+}
+
+/// A file that is dropped on the window.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+/// Lets the application keep its own in `folder`, and returns what answers its dialogs.
+fn work_in(harness: &mut Harness<'_, App>, folder: &Folder) -> Rc<RefCell<Script>> {
+    let script = Rc::new(RefCell::new(Script::default()));
+    let dialogs = Scripted {
+        script: Rc::clone(&script),
+        open: None,
+    };
+    let store = Store::new(Box::new(Disk), Some(folder.file("data")));
+    harness.state_mut().work_on(store, Box::new(dialogs));
+    harness.run();
+    script
+}
+
+fn file_menu(harness: &mut Harness<'_, App>, items: &[&str]) {
+    for item in ["File"].iter().chain(items) {
+        harness.get_by_label(item).click();
+        harness.run();
+    }
+}
+
+fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
+    harness.key_press_modifiers(modifiers, key);
+    harness.run();
+}
+
+fn drop_file(harness: &mut Harness<'_, App>, path: &Path) {
+    let file: Arc<dyn egui::DroppedFile + Send + Sync> = Arc::new(Dropped(path.to_owned()));
+    harness.input_mut().dropped_files.push(file);
+    harness.run();
+}
+
+fn titles(harness: &Harness<'_, App>) -> Vec<String> {
+    let all = &harness.state().session.materials;
+    all.iter().map(MaterialEntry::title).collect()
+}
+
+fn read(path: &Path) -> Session {
+    Session::from_toml(&fs::read_to_string(path).unwrap(), "saved").unwrap()
+}
+
+#[test]
+fn a_session_is_saved_and_opened() {
+    let folder = Folder::new("save");
+    let path = folder.file("mine.toml");
+    let mut harness = window_of(&["gold", "phong"]);
+    let script = work_in(&mut harness, &folder);
+    file_menu(&mut harness, &["Save"]);
+    let asked = Question::Save("session.toml".to_owned());
+    assert_eq!(script.borrow().asked, [asked]);
+    script.borrow_mut().answers.push(Some(path.clone()));
+    harness.run_steps(3);
+    assert_eq!(read(&path), harness.state().session);
+    // It has a file now: nothing is asked.
+    harness.get_by_label("Logarithmic").click();
+    harness.run();
+    press(&mut harness, Modifiers::COMMAND, Key::S);
+    assert_eq!(script.borrow().asked.len(), 1);
+    assert_eq!(read(&path), harness.state().session);
+    // The last good one is kept beside it.
+    assert!(!read(&folder.file("mine.toml.bak")).scale.is_logarithmic());
+    let saved = harness.state().session.clone();
+
+    let mut other = window("chalk");
+    let script = work_in(&mut other, &Folder::new("other"));
+    script.borrow_mut().answers.push(Some(path.clone()));
+    press(&mut other, Modifiers::COMMAND, Key::O);
+    other.run_steps(3);
+    assert_eq!(other.state().session, saved);
+    press(&mut other, Modifiers::COMMAND, Key::Z);
+    assert_eq!(titles(&other), ["Chalk"], "undo brings the other one back");
+    file_menu(&mut other, &["Open recent", "mine.toml"]);
+    assert_eq!(other.state().session, saved);
+}
+
+#[test]
+fn a_dialog_that_is_dismissed_changes_nothing() {
+    let folder = Folder::new("dismiss");
+    let mut harness = window("gold");
+    let script = work_in(&mut harness, &folder);
+    let before = harness.state().session.clone();
+    for item in ["Open…", "Save as…"] {
+        script.borrow_mut().answers.push(None);
+        file_menu(&mut harness, &[item]);
+        harness.run_steps(2);
+        assert_eq!(harness.state().session, before);
+    }
+    assert_eq!(script.borrow().asked.len(), 2);
+}
+
+#[test]
+fn files_are_dropped_on_the_window() {
+    let folder = Folder::new("drop");
+    let mut harness = window("gold");
+    work_in(&mut harness, &folder);
+    let [material, other] = ["material.toml", "session.toml"].map(|name| folder.file(name));
+    fs::write(&material, "name = \"Wall\"\n[[lobes]]\nmodel = \"phong\"").unwrap();
+    fs::write(&other, session(&["chalk", "ward"]).to_toml().unwrap()).unwrap();
+    drop_file(&mut harness, &material);
+    assert_eq!(titles(&harness), ["Gold", "Wall"]);
+    drop_file(&mut harness, &other);
+    assert_eq!(titles(&harness), ["Chalk", "Ward"]);
+    press(&mut harness, Modifiers::COMMAND, Key::Z);
+    assert_eq!(titles(&harness), ["Gold", "Wall"]);
+}
+
+#[test]
+fn files_that_cannot_be_read_are_told_of_and_the_session_stays() {
+    let folder = Folder::new("unreadable");
+    let mut harness = window_of(&["gold", "phong"]);
+    work_in(&mut harness, &folder);
+    let before = harness.state().session.clone();
+    let whole = before.to_toml().unwrap();
+    let newer = whole.replace("version = 1", "version = 9");
+    for (name, bytes, said) in [
+        ("letter.txt", &b"Dear all,\nsee below."[..], "line 1"),
+        ("picture.png", b"\x89PNG\xff", "no text"),
+        (
+            "huge.toml",
+            &vec![b'#'; 2_000_000],
+            "more than 1048576 bytes",
+        ),
+        ("cut.toml", &whole.as_bytes()[..400], "the file is cut off"),
+        ("odd.toml", b"flavour = 1", "unknown field"),
+        ("newer.toml", newer.as_bytes(), "a newer one is needed"),
+    ] {
+        let path = folder.file(name);
+        fs::write(&path, bytes).unwrap();
+        drop_file(&mut harness, &path);
+        assert!(harness.query_by_label_contains(said).is_some(), "{name}");
+        assert_eq!(harness.state().session, before, "{name}");
+        harness.get_by_label("Dismiss").click();
+        harness.run();
+    }
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_told_of() {
+    let folder = Folder::new("unwritable");
+    let mut harness = window("gold");
+    let script = work_in(&mut harness, &folder);
+    let nowhere = folder.file("no/such/folder/mine.toml");
+    script.borrow_mut().answers.push(Some(nowhere));
+    file_menu(&mut harness, &["Save as…"]);
+    harness.run_steps(3);
+    assert!(harness.query_by_label_contains("mine.toml").is_some());
+    assert_eq!(titles(&harness), ["Gold"]);
+}
+
+#[test]
+fn the_session_is_restored_at_the_next_start() {
+    let folder = Folder::new("restore");
+    let mut harness = window("gold");
+    work_in(&mut harness, &folder);
+    harness.get_by_label("Logarithmic").click();
+    harness.run();
+    // A moment passes: it is kept without being asked.
+    harness.run_steps(8);
+    let kept = folder.file("data/session.toml");
+    assert_eq!(read(&kept), harness.state().session);
+    let left = harness.state().session.clone();
+
+    let mut next = window("chalk");
+    work_in(&mut next, &folder);
+    assert_eq!(next.state().session, left);
+    press(&mut next, Modifiers::COMMAND, Key::Z);
+    assert_eq!(next.state().session, left, "there is nothing to undo yet");
+
+    // A broken one is told of, and the one before it is taken.
+    fs::write(&kept, "theta_deg = \"steep\"").unwrap();
+    let mut third = window("chalk");
+    work_in(&mut third, &folder);
+    assert!(
+        third
+            .query_by_label_contains("session.toml: line 1")
+            .is_some()
+    );
+}
+
+#[test]
+fn one_text_restores_the_whole_session() {
+    let mut harness = window_of(&["gold", "phong"]);
+    harness.get_by_label("Logarithmic").click();
+    harness.run();
+    let copied = harness.state().session.clone();
+    harness.get_by_label("File").click();
+    harness.run();
+    harness.get_by_label("Copy session as text").click();
+    let mut text = None;
+    for _ in 0..4 {
+        harness.step();
+        for command in &harness.output().platform_output.commands {
+            if let OutputCommand::CopyText(copy) = command {
+                text = Some(copy.clone());
+            }
+        }
+    }
+    file_menu(&mut harness, &["New session"]);
+    assert_eq!(harness.state().session, Session::default());
+    harness.event(Event::Paste(text.unwrap()));
+    harness.run();
+    assert_eq!(harness.state().session, copied);
+}
+
+#[test]
+fn pictures_and_tests_have_no_files() {
+    let mut harness = window("gold");
+    assert!(!harness.state().has_files());
+    press(&mut harness, Modifiers::COMMAND, Key::S);
+    press(&mut harness, Modifiers::COMMAND, Key::O);
+    assert!(harness.query_by_label("Dismiss").is_none());
+}
