@@ -299,11 +299,7 @@ pub static SEARCH: Command = command(
 /// Shows the help.
 pub static HELP: Command = command(
     Group::Help,
-    [
-        "help",
-        "Keyboard and mouse",
-        "Show what keys and the mouse do",
-    ],
+    ["help", "Shortcuts", "Show what keys and the mouse do"],
     &[key(PLAIN, Key::F1), key(PLAIN, Key::Questionmark)],
     |app, _| app.show_help(),
 );
