@@ -28,6 +28,8 @@ impl Components {
         describe(ui, material);
         let mut components = material.components().to_vec();
         let is_mixture = components.len() > 1;
+        // One that stands in the library is reset to it, above.
+        let has_origin = library::origin(material).is_some();
         let mut removed = None;
         let last = components.len().saturating_sub(1);
         for (index, component) in components.iter_mut().enumerate() {
@@ -36,7 +38,7 @@ impl Components {
             }
             ui.push_id(index, |ui| {
                 if !is_mixture {
-                    show_only(ui, component, ties);
+                    show_only(ui, component, ties, has_origin);
                 } else if show_one_of_many(ui, component, index + 1, ties) {
                     removed = Some(index);
                 }
@@ -128,12 +130,14 @@ fn hint_source(said: Response, material: &Material) {
 }
 
 /// The only component: its weight goes without saying, unless a file gave it one.
-fn show_only(ui: &mut Ui, component: &mut Component, ties: &mut Ties<'_>) {
+fn show_only(ui: &mut Ui, component: &mut Component, ties: &mut Ties<'_>, has_origin: bool) {
     let model = component.model();
     ui.horizontal(|ui| {
         ui.label(RichText::new(model.title).strong())
             .on_hover_text(model.source);
-        reset_component(ui, component, None);
+        if !has_origin {
+            reset_component(ui, component, None);
+        }
     });
     ui.label(RichText::new(model.summary).small());
     ui.add_space(2.0);

@@ -56,6 +56,13 @@ fn inside(rect: Rect, bounds: Rect) -> Rect {
     rect.translate(low + high)
 }
 
+/// `text`, or as much of it as this many characters hold.
+#[must_use]
+pub fn clipped(text: &str, most: usize) -> String {
+    let start: String = text.chars().take(most).collect();
+    if start == text { start } else { start + "…" }
+}
+
 /// `rect`, or the same a line or two above or below, where none of `taken` stands; it is taken then.
 pub fn free_place(taken: &mut Vec<Rect>, rect: Rect) -> Rect {
     let is_free = |place: &Rect| taken.iter().all(|other| !other.intersects(*place));

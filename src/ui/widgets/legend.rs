@@ -21,10 +21,13 @@ pub enum Sample {
 }
 
 /// The most rows of names: as many as leave room for the view.
-const MAX_ROWS: usize = 4;
+const MAX_ROWS: usize = 5;
 
 /// Between the sample and the name, and between two entries, in points.
 const GAPS: [f32; 2] = [6.0, 14.0];
+
+/// The room for how many are left out, in points.
+const MORE: f32 = 84.0;
 
 /// The room to the left of the first entry, in points.
 const MARGIN: f32 = 4.0;
@@ -85,7 +88,8 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
     let longest = 0.5 * width - theme::LINE_SAMPLE - gap - distance;
     let (mut x, mut row) = (MARGIN, 0);
     let mut items = Vec::new();
-    for entry in session.materials.shown() {
+    let mut shown = session.materials.shown().peekable();
+    while let Some(entry) = shown.next() {
         let title = session.materials.title(entry);
         let text = WidgetText::from(RichText::new(&title).small()).into_galley(
             ui,
@@ -97,7 +101,9 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
         if x > MARGIN && x + size.x > width {
             (x, row) = (MARGIN, row + 1);
         }
-        if row == MAX_ROWS {
+        // Behind the last one that fits stands how many are left out.
+        let is_followed = row + 1 == MAX_ROWS && shown.peek().is_some();
+        if row == MAX_ROWS || (is_followed && x + size.x + MORE > width) {
             break;
         }
         let corner = pos2(x, row as f32 * theme::LEGEND_ROW);

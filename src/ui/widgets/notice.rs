@@ -4,6 +4,8 @@ use std::fmt::Display;
 
 use egui::{Align, Label, Layout, Panel, RichText, Ui};
 
+use super::draw;
+
 /// The most characters that are shown: an error may name what it was given.
 const LONGEST: usize = 200;
 
@@ -15,12 +17,7 @@ impl Notice {
     /// Says what went wrong.
     pub fn say(&mut self, problem: &impl Display) {
         let line = problem.to_string().replace(['\n', '\r'], " ");
-        let clipped: String = line.chars().take(LONGEST).collect();
-        self.0 = Some(if clipped == line {
-            line
-        } else {
-            clipped + "…"
-        });
+        self.0 = Some(draw::clipped(&line, LONGEST));
     }
 
     /// Says what went wrong, if anything did.

@@ -152,13 +152,20 @@ fn row(
     ordinal: Option<usize>,
     ties: Option<&mut Ties<'_>>,
 ) {
+    let mut ties = ties;
     ui.horizontal(|ui| {
         let hint = hint(spec);
         match value {
             Value::Number(number) => slider(ui, spec, (&spec.label(), ordinal), number),
             Value::Rgb(rgb) if spec.is_colour() => {
                 ui.vertical(|ui| {
-                    ui.label(spec.label()).on_hover_text(&hint);
+                    // The fields below reach as far as the reset button: the lock stands beside the name.
+                    ui.horizontal(|ui| {
+                        ui.label(spec.label()).on_hover_text(&hint);
+                        if let Some(ties) = ties.take() {
+                            ties.lock_button(ui, spec, ordinal);
+                        }
+                    });
                     ui.horizontal(|ui| colour(ui, spec, rgb, ordinal));
                 });
             }

@@ -18,6 +18,9 @@ use crate::ui::widgets::draw;
 /// Spacing of the labels of the degree grid.
 const GRID_STEP_DEG: f64 = 30.0;
 
+/// The most characters of a name at a tip; the legend has more of it.
+const LONGEST_TITLE: usize = 24;
+
 /// How far beyond the tip of a lobe its name stands, in lengths of the lobe.
 const NAME_BEYOND_TIP: f32 = 1.06;
 
@@ -83,7 +86,8 @@ impl Sketch<'_> {
             self.name(place, &format!("delta {share:.3}"), color);
         }
         for (title, color, tip) in lobes.names() {
-            self.name(tip * NAME_BEYOND_TIP, title, color);
+            let title = draw::clipped(title, LONGEST_TITLE);
+            self.name(tip * NAME_BEYOND_TIP, &title, color);
         }
         // Near n the two names would overlap, and the held direction is its own mirror direction.
         if held.distance(mirror) > NAME_SPACING {
