@@ -1,5 +1,6 @@
 //! What each view shows, as data: one file per view, without a window.
 
+pub mod inspector;
 pub mod isotropy;
 pub mod lobe;
 pub mod lobe3d;
@@ -11,3 +12,12 @@ pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
 pub use scale::{Channel, RadialScale};
+
+/// How carefully something is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Detail {
+    /// In a few milliseconds, to have something to show.
+    Coarse,
+    /// As good as a screen can show.
+    Full,
+}

@@ -3,11 +3,12 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::jobs::{Answer, Clock, Jobs, Slot};
 use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Session};
 use crate::analysis::lobe::Arrow;
 use crate::analysis::reflectance::{LobeShare, lobe_shares};
-use crate::analysis::{HeldLobe, Hold, lobe3d, polar};
+use crate::analysis::{Detail, HeldLobe, Hold, lobe3d, polar};
 use crate::bxdf::math::frame;
 use crate::bxdf::rotated::Rotated;
 use crate::bxdf::{Bxdf, Material};
@@ -18,8 +19,17 @@ const SHARE_TOLERANCE: f64 = 2e-4;
 /// Evaluations the shares may take: a few milliseconds, whatever the material.
 const SHARE_EVALUATIONS: usize = 60_000;
 
-/// A clock: seconds since some start. Pictures and tests have none, so that they are the same bytes twice.
-pub type Clock = fn() -> f64;
+/// Seconds after which it is said that something is being computed.
+const BLINK: f64 = 0.1;
+
+/// How far the answers to what is asked are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Progress {
+    /// Something has been computed for longer than a blink.
+    Computing,
+    /// All is shown, or will be in a moment; with the seconds the last change took.
+    Complete(Option<f64>),
+}
 
 /// A material, turned about n.
 pub type Surface = Box<dyn Bxdf<f64>>;
@@ -44,60 +54,93 @@ impl Held {
 #[derive(Default)]
 struct Answers {
     surface: Memo<(Material, f64), Surface>,
-    section: Memo<(Held, polar::Request), polar::Section>,
-    mesh: Memo<(Held, lobe3d::Request), lobe3d::Mesh>,
+    section: Slot<(Held, polar::Request), polar::Section>,
+    mesh: Slot<(Held, lobe3d::Request), lobe3d::Mesh>,
     arrows: Memo<Held, Vec<Arrow>>,
-    shares: Memo<Held, Vec<LobeShare>>,
-}
-
-impl Answers {
-    /// A number that grows with each computation worth timing.
-    fn computations(&self) -> u64 {
-        self.section.version() + self.mesh.version() + self.shares.version()
-    }
+    shares: Slot<Held, Vec<LobeShare>>,
 }
 
 /// The data of each view and material, and how long the last update took.
-#[derive(Default)]
+///
+/// What takes longer than a frame is computed by the pool: until then the views get the last answer, or an empty one.
 pub struct Data {
     answers: HashMap<EntryId, Answers>,
+    jobs: Jobs,
     clock: Option<Clock>,
-    /// Seconds the last update took; `None` before the first, and without a clock.
-    pub last_update: Option<f64>,
-    updating: f64,
+    /// Seconds from the last change to its full answers; `None` before the first, and without a clock.
+    last_update: Option<f64>,
+    /// Since when answers are awaited, in seconds of the clock.
+    awaited_since: Option<f64>,
+    /// The least detailed of the answers of this frame.
+    shown: Option<Detail>,
 }
 
 impl Data {
-    /// No data yet; `clock` measures the updates.
+    /// No data yet; `clock` measures the updates, and `wake` is called when there are answers to be shown. Without a clock
+    /// every answer is computed at once.
     #[must_use]
-    pub fn new(clock: Option<Clock>) -> Self {
+    pub fn new(clock: Option<Clock>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
+            answers: HashMap::new(),
+            jobs: Jobs::new(clock, wake),
             clock,
-            ..Self::default()
+            last_update: None,
+            awaited_since: None,
+            shown: Some(Detail::Full),
         }
     }
 
-    /// Begins a frame: the computations from here on are one update. What belongs to materials that `session` has no
-    /// longer is dropped.
+    /// Begins a frame. What belongs to materials that `session` has no longer is dropped.
     pub fn begin_frame(&mut self, session: &Session) {
-        self.updating = 0.0;
+        self.end_frame();
+        self.jobs.begin_frame();
         self.answers
             .retain(|id, _| session.materials.get(*id).is_some());
     }
 
+    /// Takes the time of an update that is complete.
+    fn end_frame(&mut self) {
+        let now = self.clock.map(|clock| clock());
+        if self.shown.replace(Detail::Full) != Some(Detail::Full) {
+            self.awaited_since = self.awaited_since.or(now);
+        } else if let Some(since) = self.awaited_since.take() {
+            self.last_update = now.map(|now| now - since);
+        } else if self.jobs.spent() > 0.0 {
+            self.last_update = Some(self.jobs.spent());
+        }
+    }
+
+    /// The least detail in which the answers given since the frame began answer what is asked; `None` where one is an
+    /// older answer, or none.
+    #[must_use]
+    pub fn shown(&self) -> Option<Detail> {
+        self.shown
+    }
+
+    /// How far the answers are.
+    #[must_use]
+    pub fn progress(&self) -> Progress {
+        let now = self.clock.map(|clock| clock());
+        let awaited = now.zip(self.awaited_since);
+        match awaited.map(|(now, since)| now - since) {
+            Some(seconds) if seconds > BLINK => Progress::Computing,
+            _ => Progress::Complete(self.last_update),
+        }
+    }
+
     /// The surface of a material.
     pub fn surface(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Surface> {
-        self.ask(session, entry, |_, held| Arc::clone(&held.surface.0))
+        self.held(session, entry).surface.0
     }
 
     /// The section that the polar plot shows.
     pub fn section(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<polar::Section> {
         let request = section_request(session);
-        self.ask(session, entry, |answers, held| {
+        self.ask(session, entry, |answers, jobs, held| {
             let key = (held.clone(), request);
-            answers
-                .section
-                .get(key, || polar::section(&held.lobe(), &request))
+            answers.section.ask(jobs, &key, Detail::Full, move |_, _| {
+                Some(polar::section(&held.lobe(), &request))
+            })
         })
     }
 
@@ -107,60 +150,69 @@ impl Data {
             scale: session.scale,
             with_cosine: session.with_cosine,
         };
-        self.ask(session, entry, |answers, held| {
+        self.ask(session, entry, |answers, jobs, held| {
             let key = (held.clone(), request);
             answers
                 .mesh
-                .get(key, || lobe3d::mesh(&held.lobe(), &request))
+                .ask(jobs, &key, Detail::Coarse, move |detail, watch| {
+                    lobe3d::mesh_while(&held.lobe(), &request, detail, &|| !watch.is_stale())
+                })
         })
     }
 
     /// The Dirac deltas of the held direction.
     pub fn arrows(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Vec<Arrow>> {
-        self.ask(session, entry, |answers, held| {
-            answers.arrows.get(held.clone(), || held.lobe().arrows())
-        })
+        let held = self.held(session, entry);
+        let arrows = &mut self.answers.entry(entry.id()).or_default().arrows;
+        arrows.get(held.clone(), || held.lobe().arrows())
     }
 
     /// What each lobe does with light arriving along the held direction.
     pub fn shares(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Vec<LobeShare>> {
-        self.ask(session, entry, |answers, held| {
-            answers.shares.get(held.clone(), || {
-                let surface = &**held.surface.0;
-                lobe_shares(surface, session.held(), SHARE_TOLERANCE, SHARE_EVALUATIONS)
-            })
+        let direction = session.held();
+        self.ask(session, entry, |answers, jobs, held| {
+            answers
+                .shares
+                .ask(jobs, &held.clone(), Detail::Full, move |_, _| {
+                    let surface = &**held.surface.0;
+                    Some(lobe_shares(
+                        surface,
+                        direction,
+                        SHARE_TOLERANCE,
+                        SHARE_EVALUATIONS,
+                    ))
+                })
         })
     }
 
-    /// What `work` makes of the answers of a material and of what is held; timed where something is computed.
-    fn ask<T>(
-        &mut self,
-        session: &Session,
-        entry: &MaterialEntry,
-        work: impl FnOnce(&mut Answers, &Held) -> T,
-    ) -> T {
-        let start = self.clock.map(|clock| clock());
-        let answers = self.answers.entry(entry.id()).or_default();
-        let before = answers.computations();
+    /// The surface of a material and what is held.
+    fn held(&mut self, session: &Session, entry: &MaterialEntry) -> Held {
         let key = (entry.material.clone(), session.rotation_deg);
+        let answers = self.answers.entry(entry.id()).or_default();
         let surface = answers.surface.get(key, || {
             let turn = frame::cos_sin_deg(session.rotation_deg);
             Box::new(Rotated::new(entry.material.build(), turn))
         });
-        let held = Held {
+        Held {
             surface: Same(surface),
             hold: session.hold,
             theta_deg: session.theta_deg,
             phi_deg: session.phi_deg,
-        };
-        let result = work(answers, &held);
-        if answers.computations() != before
-            && let (Some(clock), Some(start)) = (self.clock, start)
-        {
-            self.updating += clock() - start;
-            self.last_update = Some(self.updating);
         }
-        result
+    }
+
+    /// The answer of `question`, or the last one; an empty one before the first.
+    fn ask<V: Default>(
+        &mut self,
+        session: &Session,
+        entry: &MaterialEntry,
+        question: impl FnOnce(&mut Answers, &mut Jobs, Held) -> Answer<V>,
+    ) -> Arc<V> {
+        let held = self.held(session, entry);
+        let answers = self.answers.entry(entry.id()).or_default();
+        let answer = question(answers, &mut self.jobs, held);
+        self.shown = self.shown.min(answer.detail);
+        answer.value.unwrap_or_default()
     }
 }
 
@@ -182,7 +234,7 @@ mod tests {
     fn each_material_keeps_its_answers_until_it_is_removed() {
         let mut session = Session::of("oren_nayar".parse().unwrap());
         let added = session.materials.add("phong".parse().unwrap()).unwrap();
-        let mut data = Data::new(None);
+        let mut data = Data::new(None, || {});
         data.begin_frame(&session);
         let section = |data: &mut Data, session: &Session, index: usize| {
             let entry = session.materials.iter().nth(index).unwrap();

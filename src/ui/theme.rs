@@ -17,6 +17,10 @@ pub const USABLE_SIZE: Vec2 = Vec2::new(400.0, 240.0);
 pub const SIDE_WIDTH: f32 = 292.0;
 /// The room that a scroll bar takes when the pointer is near, in points.
 pub const SCROLL_ROOM: f32 = 12.0;
+/// Room between the edge of a tile and its view.
+pub const TILE_MARGIN: f32 = 4.0;
+/// Height of the bar with the names of the views in a tile.
+pub const TAB_BAR_HEIGHT: f32 = 24.0;
 /// The width of a drop-down, in points.
 pub const COMBO_WIDTH: f32 = 118.0;
 /// The width of a drop-down of short words in a bar, in points.

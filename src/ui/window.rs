@@ -5,7 +5,7 @@ use std::env;
 use super::app::App;
 use super::session::Session;
 use super::store::{Native, Store};
-use super::{headless, theme};
+use super::{headless, platform, theme};
 use crate::error::{Error, Result};
 
 /// Opens the window and runs it until it is closed.
@@ -27,7 +27,7 @@ pub fn run() -> Result<()> {
         "brdf-explorer",
         options,
         Box::new(|cc| {
-            let mut app = App::new(cc, Session::default(), None, Some(seconds));
+            let mut app = App::new(cc, Session::default(), None, Some(platform::seconds));
             app.work_on(Store::platform(), Box::new(Native::default()));
             Ok(Box::new(app))
         }),
@@ -52,16 +52,6 @@ fn refusal(error: &eframe::Error) -> Error {
             remedy: "'brdf-explorer render -o out.png' draws it to a file".to_owned(),
         },
     }
-}
-
-/// Seconds since the first call.
-fn seconds() -> f64 {
-    use std::sync::OnceLock;
-    static START: OnceLock<web_time::Instant> = OnceLock::new();
-    START
-        .get_or_init(web_time::Instant::now)
-        .elapsed()
-        .as_secs_f64()
 }
 
 /// On systems that name their display in the environment: one must be named.

@@ -120,7 +120,7 @@ fn the_help_lists_every_command_with_its_keys() {
     press(&mut harness, Modifiers::NONE, Key::Escape);
     assert!(harness.query_by_label("At a slider").is_none());
     press(&mut harness, Modifiers::NONE, Key::Questionmark);
-    harness.get_by_label("Close").click();
+    harness.get_by_label("Close the list").click();
     harness.run();
     assert!(harness.query_by_label("At a slider").is_none());
 }

@@ -11,6 +11,7 @@ mod materials;
 mod overlay;
 mod render;
 mod screenshots;
+mod tiles;
 
 use std::path::PathBuf;
 

@@ -4,6 +4,7 @@ use glam::DVec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Request, Vertex};
+use crate::analysis::Detail;
 use crate::analysis::lobe::{HeldLobe, Seeds};
 
 /// Halvings of the octahedron's edges before the lobe is looked at: edges of 5.6 degrees.
@@ -23,6 +24,9 @@ const SHORTEST: f64 = 1e-7;
 
 /// No round of halving begins beyond this many triangles (one may quadruple them); a lobe needs some thousands.
 const MAX_TRIANGLES: usize = 30_000;
+
+/// The same of a coarse mesh: some milliseconds' worth.
+const MAX_COARSE_TRIANGLES: usize = 3_000;
 
 /// At most this many rounds of halving; the narrowest lobe takes about 20.
 const MAX_ROUNDS: u32 = 32;
@@ -133,8 +137,16 @@ impl<'a> Builder<'a> {
         largest(vertex.value) * cosine
     }
 
-    pub(super) fn refine(&mut self) {
+    /// Halves edges until the mesh follows the lobe. `None` as soon as `is_wanted` says no.
+    pub(super) fn refine(&mut self, detail: Detail, is_wanted: &dyn Fn() -> bool) -> Option<()> {
+        let most = match detail {
+            Detail::Coarse => MAX_COARSE_TRIANGLES,
+            Detail::Full => MAX_TRIANGLES,
+        };
         for _ in 0..MAX_ROUNDS {
+            if !is_wanted() {
+                return None;
+            }
             self.peak = self
                 .vertices
                 .iter()
@@ -143,7 +155,7 @@ impl<'a> Builder<'a> {
             self.halve_crowded_triangles();
             self.halve_edges_where(Self::is_coarse);
             self.close_over_longest_edges();
-            if !self.divide_triangles() || self.triangles.len() > MAX_TRIANGLES {
+            if !self.divide_triangles() || self.triangles.len() > most {
                 break;
             }
         }
@@ -152,6 +164,7 @@ impl<'a> Builder<'a> {
             .iter()
             .map(|v| self.shown(v))
             .fold(0.0, f64::max);
+        Some(())
     }
 
     /// Whether the chord of the edge is too far from the lobe's surface, or its trapezoid from the integral.

@@ -6,6 +6,7 @@
 
 use glam::DVec3;
 
+use super::Detail;
 use super::lobe::HeldLobe;
 use super::scale::RadialScale;
 use builder::Builder;
@@ -79,6 +80,17 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
 /// The mesh of `lobe` that `request` asks for: the hemispheres in which it is not 0.
 #[must_use]
 pub fn mesh(lobe: &HeldLobe<'_>, request: &Request) -> Mesh {
+    mesh_while(lobe, request, Detail::Full, &|| true).unwrap_or_default()
+}
+
+/// [`mesh`] in this detail; `None` as soon as `is_wanted` says no.
+#[must_use]
+pub fn mesh_while(
+    lobe: &HeldLobe<'_>,
+    request: &Request,
+    detail: Detail,
+    is_wanted: &dyn Fn() -> bool,
+) -> Option<Mesh> {
     let seeds = lobe.seeds();
     let mut whole = Mesh::default();
     for is_upper in [true, false] {
@@ -86,7 +98,7 @@ pub fn mesh(lobe: &HeldLobe<'_>, request: &Request) -> Mesh {
         if builder.is_empty() {
             continue;
         }
-        builder.refine();
+        builder.refine(detail, is_wanted)?;
         let first = whole.vertices.len() as u32;
         whole.peak = whole.peak.max(builder.peak);
         whole.vertices.extend(builder.vertices);
@@ -97,7 +109,7 @@ pub fn mesh(lobe: &HeldLobe<'_>, request: &Request) -> Mesh {
                 .map(|t| t.corners.map(|index| index + first)),
         );
     }
-    whole
+    Some(whole)
 }
 
 #[cfg(test)]

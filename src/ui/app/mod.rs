@@ -3,19 +3,22 @@
 use egui::{Align, CentralPanel, Context, Layout, Panel, RichText, ScrollArea, Ui};
 
 use super::commands::Command;
-use super::data::{Clock, Data};
+use super::data::Data;
 use super::history::History;
+use super::jobs::Clock;
 use super::session::Session;
 use super::theme::{self, Palette};
-use super::views::{Cursor, VIEWS, ViewContext, ViewSpec, ViewState};
+use super::tiles::ViewTiles;
+use super::views::{Cursor, ViewContext, ViewSpec, ViewState};
 use super::widgets::components::Components;
 use super::widgets::materials::MaterialList;
 use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
 use super::widgets::search::{Outcome, Search};
-use super::widgets::{directions, help, options, status};
+use super::widgets::{directions, help, layouts, options, status};
 use super::{commands, scene3d};
+use crate::analysis::Detail;
 use files::Files;
 
 mod files;
@@ -37,6 +40,7 @@ pub struct App {
     files: Option<Files>,
     search: Option<Search>,
     is_help_shown: bool,
+    tiles: ViewTiles,
 }
 
 impl App {
@@ -56,10 +60,11 @@ impl App {
         }
         // Without a clock nothing is timed: pictures and tests need no frames to wait for.
         let picker = Picker::new(clock.is_none());
+        let ctx = cc.egui_ctx.clone();
         Self {
             history: History::new(&session),
             session,
-            data: Data::new(clock),
+            data: Data::new(clock, move || ctx.request_repaint()),
             state: ViewState::default(),
             cursor: None,
             only,
@@ -70,7 +75,14 @@ impl App {
             files: None,
             search: None,
             is_help_shown: false,
+            tiles: ViewTiles::default(),
         }
+    }
+
+    /// The least detail in which the last frame shows the session; `None` where a part of it is older.
+    #[must_use]
+    pub fn shown(&self) -> Option<Detail> {
+        self.data.shown()
     }
 
     fn show_view(&mut self, ui: &mut Ui, view: &ViewSpec, palette: &Palette) {
@@ -141,6 +153,7 @@ impl App {
         let mut wished = None;
         options::headline(ui, |ui| {
             wished = self.file_menu(ui);
+            layouts::menu(ui, &mut self.session);
             for command in [&commands::UNDO, &commands::REDO, &commands::HELP] {
                 if command.button(ui, self) {
                     wished = Some(command);
@@ -208,13 +221,13 @@ impl App {
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
-        ui.columns(VIEWS.len(), |columns| {
-            for (column, view) in columns.iter_mut().zip(&VIEWS) {
-                column.label(RichText::new(view.title).strong());
-                column.label(RichText::new(view.what_you_see).small().weak());
-                self.show_view(column, view, palette);
-            }
+        let mut layout = self.session.layout.clone();
+        let mut tiles = std::mem::take(&mut self.tiles);
+        tiles.show(ui, &mut layout, &mut |ui, view| {
+            self.show_view(ui, view, palette);
         });
+        self.tiles = tiles;
+        self.session.layout = layout;
     }
 }
 
@@ -228,7 +241,7 @@ impl eframe::App for App {
         }
         self.data.begin_frame(&self.session);
         self.state.begin_frame();
-        let before = self.cursor.take();
+        let before = self.cursor;
         if let Some(view) = self.only {
             let frame = egui::Frame::NONE.fill(palette.background);
             CentralPanel::no_frame()
@@ -244,12 +257,13 @@ impl eframe::App for App {
                 .data
                 .shares(&self.session, self.session.materials.selected());
             // Panels are drawn before the views: the line shows the pointer of the frame before.
+            let value = before.map(|cursor| cursor.value(&self.session, &mut self.data));
             status::show(
                 ui,
                 &self.session,
-                before.as_ref(),
+                before.as_ref().zip(value),
                 &shares,
-                self.data.last_update,
+                self.data.progress(),
                 &palette,
             );
         });

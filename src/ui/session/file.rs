@@ -55,6 +55,8 @@ impl Session {
                 ));
             }
         }
+        let layout = session.layout.validate();
+        layout.map_err(|problem| Error::parse(place, problem))?;
         session.phi_deg = wrapped_deg(session.phi_deg);
         session.rotation_deg = wrapped_deg(session.rotation_deg);
         session.section_phi_deg = session.section_phi_deg.map(folded_deg);

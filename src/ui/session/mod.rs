@@ -12,6 +12,7 @@ use crate::bxdf::{Material, Side, models};
 
 mod entry;
 mod file;
+mod layout;
 mod materials;
 mod stored;
 mod text;
@@ -19,6 +20,7 @@ mod ties;
 
 pub use entry::{EntryId, MaterialEntry, Slot};
 pub use file::VERSION;
+pub use layout::{Layout, Part, READY_LAYOUTS, ReadyLayout, ViewId};
 pub use materials::{MAX_MATERIALS, Materials};
 pub use text::{MAX_TEXT, Opened, pasted, read};
 pub use ties::WIDTHS;
@@ -96,6 +98,8 @@ pub struct Session {
     pub show_geometry: bool,
     /// The camera of the 3D view.
     pub camera: OrbitCamera,
+    /// Where the views stand.
+    pub layout: Layout,
 }
 
 impl Default for Session {
@@ -115,6 +119,7 @@ impl Default for Session {
             lobe_surface: LobeSurface::Automatic,
             show_geometry: false,
             camera: OrbitCamera::default(),
+            layout: Layout::default(),
         }
     }
 }

@@ -1,10 +1,14 @@
 //! The views: one file each, and the one list of them.
 
+use glam::DVec3;
+
 use super::data::Data;
-use super::session::{EntryId, Session};
+use super::session::{EntryId, MaterialEntry, Session};
 use super::theme::Palette;
+use crate::analysis::HeldLobe;
 use crate::error::{Error, Result};
 
+mod inspector;
 mod lobe3d;
 mod polar;
 
@@ -21,7 +25,7 @@ pub struct ViewSpec {
 }
 
 /// Every view, in the order of the window.
-pub static VIEWS: [ViewSpec; 2] = [polar::SPEC, lobe3d::SPEC];
+pub static VIEWS: [ViewSpec; 3] = [polar::SPEC, lobe3d::SPEC, inspector::SPEC];
 
 /// The view with this id.
 ///
@@ -42,7 +46,7 @@ pub struct ViewContext<'a> {
     pub data: &'a mut Data,
     /// What the views keep between frames.
     pub state: &'a mut ViewState,
-    /// The direction under the pointer, set by the view that has it.
+    /// The direction last pointed at, which every view shows; set by the view that has the pointer.
     pub cursor: &'a mut Option<Cursor>,
     /// The colours.
     pub palette: &'a Palette,
@@ -78,15 +82,34 @@ impl ViewState {
     }
 }
 
-/// A direction under the pointer, with the value of the lobe there.
+/// A direction pointed at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cursor {
     /// The material that is pointed at; else the selected one.
     pub material: EntryId,
-    /// Polar angle of the free direction from n, in degrees.
-    pub theta_deg: f64,
-    /// Its azimuth from s, in degrees.
-    pub phi_deg: f64,
-    /// f in 1/sr (times the cosine, if shown so), per channel.
-    pub value: [f64; 3],
+    /// The free direction, a unit vector.
+    pub direction: DVec3,
+}
+
+impl Cursor {
+    /// The material pointed at; the selected one where it is no longer there, or hidden.
+    #[must_use]
+    pub fn entry<'a>(&self, session: &'a Session) -> &'a MaterialEntry {
+        let mut shown = session.materials.shown();
+        let pointed = shown.find(|entry| entry.id() == self.material);
+        pointed.unwrap_or_else(|| session.materials.selected())
+    }
+
+    /// The value there: f in 1/sr (times the cosine, if shown so), per channel; its limit at the horizon.
+    pub fn value(&self, session: &Session, data: &mut Data) -> [f64; 3] {
+        let surface = data.surface(session, self.entry(session));
+        let lobe = HeldLobe::new(&**surface, session.hold, session.held());
+        let cosine = if session.with_cosine {
+            self.direction.z.abs()
+        } else {
+            1.0
+        };
+        let value = lobe.value_or_limit(self.direction, self.direction.z >= 0.0);
+        value.map(|f| f * cosine)
+    }
 }

@@ -6,6 +6,7 @@ use egui::{
 };
 
 use crate::analysis::Channel;
+use crate::analysis::inspector::Spherical;
 use crate::ui::format;
 use crate::ui::session::{Curves, Session};
 use crate::ui::theme::{self, Dash, HANDLE_RADIUS, Palette};
@@ -93,6 +94,21 @@ pub fn line(painter: &Painter, ends: [Pos2; 2], stroke: impl Into<Stroke>, dash:
     }
 }
 
+/// The direction pointed at in another view: a thin line from the centre with a ring at its end.
+pub fn cursor_mark(painter: &Painter, ends: [Pos2; 2], dash: Dash, palette: &Palette) {
+    const RING: f32 = 5.0;
+    let [foot, tip] = ends;
+    let before_ring = tip + (foot - tip).normalized() * RING;
+    line(painter, [foot, before_ring], (1.0, palette.ink), dash);
+    painter.circle_stroke(tip, RING, (1.5, palette.ink));
+}
+
+/// A patch of a material's colour.
+pub fn swatch(ui: &mut Ui, color: Color32) {
+    let (rect, _) = ui.allocate_exact_size(theme::SWATCH, Sense::hover());
+    ui.painter().rect_filled(rect, 2.0, color);
+}
+
 /// A thick arrow with a filled head, which is no longer than the arrow.
 pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
     const HEAD: f32 = 13.0;
@@ -156,18 +172,18 @@ pub fn handle(
 /// The read-out of a direction: angles and value, per channel where these are shown; and of which material, where there
 /// are several.
 #[must_use]
-pub fn cursor_text(cursor: &Cursor, session: &Session) -> String {
-    let entry = session.materials.get(cursor.material);
-    let entry = entry.unwrap_or_else(|| session.materials.selected());
+pub fn cursor_text(cursor: &Cursor, session: &Session, value: [f64; 3]) -> String {
+    let entry = cursor.entry(session);
     let name = if session.materials.is_overlay() {
         session.materials.title(entry) + ":  "
     } else {
         String::new()
     };
+    let place = Spherical::of(cursor.direction);
     let angles = format!(
         "{name}θ {}  φ {}",
-        format::degrees(cursor.theta_deg),
-        format::degrees(cursor.phi_deg)
+        format::degrees(place.theta_deg),
+        format::degrees(place.phi_deg)
     );
     if entry.material.is_delta_only() {
         return format!("{angles}  f 0, all light is in the deltas");
@@ -177,11 +193,11 @@ pub fn cursor_text(cursor: &Cursor, session: &Session) -> String {
         Curves::Luminance => {
             format!(
                 "{angles}  {quantity} {} 1/sr",
-                format::value(Channel::Luminance.of(cursor.value))
+                format::value(Channel::Luminance.of(value))
             )
         }
         Curves::Rgb => {
-            let [r, g, b] = cursor.value.map(format::value);
+            let [r, g, b] = value.map(format::value);
             format!("{angles}  {quantity} R {r}  G {g}  B {b} 1/sr")
         }
     }
@@ -190,6 +206,7 @@ pub fn cursor_text(cursor: &Cursor, session: &Session) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bxdf::math::frame::direction_from_degrees;
 
     #[test]
     fn notes_stay_inside() {
@@ -208,12 +225,11 @@ mod tests {
     fn read_outs_name_angle_value_and_unit() {
         let cursor = Cursor {
             material: Session::default().materials.selected().id(),
-            theta_deg: 30.0,
-            phi_deg: -0.0,
-            value: [0.25; 3],
+            direction: direction_from_degrees(30.0, -0.0),
         };
+        let value = [0.25; 3];
         assert_eq!(
-            cursor_text(&cursor, &Session::default()),
+            cursor_text(&cursor, &Session::default(), value),
             "θ 30°  φ 0°  f 0.25 1/sr"
         );
         let session = Session {
@@ -222,7 +238,7 @@ mod tests {
             ..Session::default()
         };
         assert_eq!(
-            cursor_text(&cursor, &session),
+            cursor_text(&cursor, &session, value),
             "θ 30°  φ 0°  f cos θ R 0.25  G 0.25  B 0.25 1/sr"
         );
     }

@@ -54,7 +54,7 @@ pub fn show(ctx: &Context) -> bool {
             .max_height(theme::HELP_SIZE.y.min(height))
             .show(ui, contents);
         ui.add_space(4.0);
-        ui.button("Close")
+        ui.button("Close the list")
             .on_hover_text("Close the help (Escape)")
             .clicked()
     });

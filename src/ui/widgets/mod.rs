@@ -4,6 +4,7 @@ pub mod components;
 pub mod directions;
 pub mod draw;
 pub mod help;
+pub mod layouts;
 pub mod legend;
 pub mod materials;
 pub mod notice;

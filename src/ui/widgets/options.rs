@@ -6,7 +6,7 @@ use crate::ui::session::{Curves, LobeSurface, Session};
 use crate::ui::theme;
 
 /// The line that says what to try first.
-const FIRST_STEP: &str = "Try this: drag the round handle, then pick another model on the left";
+const FIRST_STEP: &str = "Try this: drag the round handle, pick another model";
 
 /// How a lobe may be drawn: the name and what it is good for.
 const SURFACES: [(LobeSurface, &str, &str); 4] = [

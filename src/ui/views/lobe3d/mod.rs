@@ -7,11 +7,9 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
 use super::{Cursor, ViewContext, ViewSpec};
-use crate::analysis::HeldLobe;
-use crate::bxdf::math::frame;
 use crate::ui::scene3d::{self, HomeView, OrbitCamera, SceneView};
 use crate::ui::session::Session;
-use crate::ui::theme::rgba;
+use crate::ui::theme::{Dash, rgba};
 use crate::ui::widgets::draw;
 use crate::ui::widgets::legend::{self, Sample};
 use sketch::Sketch;
@@ -75,6 +73,20 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         cx.state.keep_arrangement(has_lower);
     } else if !response.dragged() {
         read_out(ui, cx, &response, &drawing.lobes, &camera);
+    }
+    if !response.hovered() {
+        mark_cursor(ui, cx, rect, &camera);
+    }
+}
+
+/// The direction pointed at in another view: a line to the dome.
+fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, rect: Rect, camera: &OrbitCamera) {
+    let Some(cursor) = &*cx.cursor else {
+        return;
+    };
+    let project = |place: Vec3| camera.project(place, rect);
+    if let (Some(foot), Some(tip)) = (project(Vec3::ZERO), project(cursor.direction.as_vec3())) {
+        draw::cursor_mark(&ui.painter_at(rect), [foot, tip], Dash::Solid, cx.palette);
     }
 }
 
@@ -178,27 +190,16 @@ fn read_out(
     let entry = on_lobe
         .and_then(|(_, material)| materials.get(material))
         .unwrap_or_else(|| materials.selected());
-    let material = entry.id();
-    let surface = cx.data.surface(cx.session, entry);
-    let lobe = HeldLobe::new(&**surface, cx.session.hold, cx.session.held());
-    let cosine = if cx.session.with_cosine {
-        direction.z.abs()
-    } else {
-        1.0
-    };
     let cursor = Cursor {
-        material,
-        theta_deg: frame::theta(direction).to_degrees(),
-        phi_deg: frame::phi(direction).to_degrees(),
-        value: lobe
-            .value_or_limit(direction, direction.z >= 0.0)
-            .map(|f| f * cosine),
+        material: entry.id(),
+        direction,
     };
+    let value = cursor.value(cx.session, cx.data);
     draw::pointer_note(
         ui,
         pointer,
         response.rect,
-        &draw::cursor_text(&cursor, cx.session),
+        &draw::cursor_text(&cursor, cx.session, value),
         cx.palette,
     );
     *cx.cursor = Some(cursor);

@@ -287,7 +287,7 @@ mod tests {
     use crate::ui::session::MaterialEntry;
 
     fn lobes(session: &Session) -> Lobes {
-        let mut data = Data::new(None);
+        let mut data = Data::new(None, || {});
         let part = |entry: &MaterialEntry| Part {
             material: entry.id(),
             title: entry.title(),

@@ -2,14 +2,13 @@
 
 use egui::{Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi};
+use glam::DVec3;
 
 use super::{Cursor, ViewContext, ViewSpec};
-use crate::analysis::HeldLobe;
-use crate::analysis::lobe::Arrow;
 use crate::analysis::polar;
-use crate::bxdf::math::frame;
 use crate::ui::data::section_request;
 use crate::ui::session::{MaterialEntry, Session, wrapped_deg};
+use crate::ui::theme::Dash;
 use crate::ui::widgets::draw;
 use crate::ui::widgets::legend::{self, Sample};
 use canvas::{Canvas, Plotted};
@@ -93,6 +92,26 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     } else {
         read_out(ui, cx, &response.response, &transform, &radial, has_lower);
     }
+    if !response.response.hovered() {
+        mark_cursor(ui, cx, &transform);
+    }
+}
+
+/// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
+fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, transform: &PlotTransform) {
+    let Some(cursor) = &*cx.cursor else {
+        return;
+    };
+    let azimuth = cx.session.section_azimuth_deg().to_radians();
+    let angle = polar::signed_angle(cursor.direction, azimuth);
+    let ends = [[0.0, 0.0], at(1.0, angle)]
+        .map(|[x, y]| transform.position_from_point(&PlotPoint::new(x, y)));
+    let dash = if is_in_section(cx.session, cursor.direction) {
+        Dash::Solid
+    } else {
+        Dash::Dashed
+    };
+    draw::cursor_mark(&ui.painter_at(*transform.frame()), ends, dash, cx.palette);
 }
 
 /// What the plot shows, the selected material last, so that it lies over the others.
@@ -101,7 +120,9 @@ fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
     let selected = session.materials.selected().id();
     let plot = |entry: &MaterialEntry| {
         let all = data.arrows(session, entry);
-        let in_section = all.iter().filter(|arrow| is_in_section(session, arrow));
+        let in_section = all
+            .iter()
+            .filter(|arrow| is_in_section(session, arrow.direction));
         Plotted {
             slot: entry.slot(),
             is_selected: entry.id() == selected,
@@ -161,9 +182,9 @@ fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
     )
 }
 
-fn is_in_section(session: &Session, arrow: &Arrow) -> bool {
+fn is_in_section(session: &Session, w: DVec3) -> bool {
     let (sin, cos) = session.section_azimuth_deg().to_radians().sin_cos();
-    (arrow.direction.y * cos - arrow.direction.x * sin).abs() < IN_PLANE
+    (w.y * cos - w.x * sin).abs() < IN_PLANE
 }
 
 /// The handle of the held direction. Returns whether it is being dragged.
@@ -216,21 +237,12 @@ fn read_out(
     }
     let angle = place.x.atan2(place.y);
     let entry = cx.session.materials.selected();
-    let (material, slot) = (entry.id(), entry.slot());
-    let surface = cx.data.surface(cx.session, entry);
-    let request = section_request(cx.session);
-    let value = polar::value_at(
-        &HeldLobe::new(&**surface, cx.session.hold, cx.session.held()),
-        &request,
-        angle,
-    );
-    let w = polar::direction(angle, request.phi);
+    let slot = entry.slot();
     let cursor = Cursor {
-        material,
-        theta_deg: frame::theta(w).to_degrees(),
-        phi_deg: wrapped_deg(frame::phi(w).to_degrees()),
-        value,
+        material: entry.id(),
+        direction: polar::direction(angle, section_request(cx.session).phi),
     };
+    let value = cursor.value(cx.session, cx.data);
     let painter = ui.painter_at(*transform.frame());
     let position = |radius: f64| {
         let [x, y] = at(radius, angle);
@@ -250,7 +262,7 @@ fn read_out(
         ui,
         pointer,
         *transform.frame(),
-        &draw::cursor_text(&cursor, cx.session),
+        &draw::cursor_text(&cursor, cx.session, value),
         cx.palette,
     );
     *cx.cursor = Some(cursor);

@@ -1,0 +1,31 @@
+//! What differs between a native window and a page in a browser: threads and time.
+
+/// Seconds since the first call.
+#[must_use]
+pub fn seconds() -> f64 {
+    use std::sync::OnceLock;
+    static START: OnceLock<web_time::Instant> = OnceLock::new();
+    START
+        .get_or_init(web_time::Instant::now)
+        .elapsed()
+        .as_secs_f64()
+}
+
+/// How many workers there may be: one for each core but the one that draws; none in a browser.
+#[must_use]
+pub fn workers() -> usize {
+    if cfg!(target_arch = "wasm32") {
+        0
+    } else {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        cores.saturating_sub(1).max(1)
+    }
+}
+
+/// Starts a thread; whether it could be started.
+pub fn spawn(work: impl FnOnce() + Send + 'static) -> bool {
+    std::thread::Builder::new()
+        .name("worker".to_owned())
+        .spawn(work)
+        .is_ok()
+}

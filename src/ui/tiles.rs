@@ -1,0 +1,210 @@
+//! The views as tiles that can be split, tabbed, dragged, closed and added.
+//!
+//! The session's [`Layout`] says where they stand; the tree of tiles is made from it where it has changed, and turned
+//! back into it where a gesture has changed the tree.
+
+use egui::{RichText, Ui, WidgetText};
+use egui_tiles::{
+    Behavior, Container, Linear, LinearDir, SimplificationOptions, Tabs, Tile, TileId, Tiles, Tree,
+    UiResponse,
+};
+
+use super::session::{Layout, Part, ViewId};
+use super::theme;
+use super::views::{self, ViewSpec};
+
+/// Draws a view into the space left in the `Ui`.
+pub type ShowView<'a> = dyn FnMut(&mut Ui, &ViewSpec) + 'a;
+
+/// The tree, and the layout it stands for.
+pub struct ViewTiles {
+    tree: Tree<ViewId>,
+    layout: Layout,
+}
+
+impl Default for ViewTiles {
+    fn default() -> Self {
+        let layout = Layout::default();
+        Self {
+            tree: tree_of(&layout),
+            layout,
+        }
+    }
+}
+
+impl ViewTiles {
+    /// Draws the views where `layout` has them, each by `show_view`; gestures change `layout`.
+    pub fn show(&mut self, ui: &mut Ui, layout: &mut Layout, show_view: &mut ShowView<'_>) {
+        if *layout != self.layout {
+            self.tree = tree_of(layout);
+            self.layout = layout.clone();
+        }
+        let mut panes = Panes {
+            show_view,
+            has_several: self.layout.views().len() > 1,
+            is_edited: false,
+        };
+        self.tree.ui(&mut panes, ui);
+        let is_edited = panes.is_edited;
+        // While a tile is dragged the tree is the library's own affair.
+        if is_edited && let Some(edited) = self.tree.root().and_then(|root| self.place(root)) {
+            self.layout = edited;
+            layout.clone_from(&self.layout);
+        }
+    }
+
+    /// The layout of a tile; `None` where no view is in it.
+    fn place(&self, id: TileId) -> Option<Layout> {
+        match self.tree.tiles.get(id)? {
+            Tile::Pane(view) => Some(Layout::View(*view)),
+            Tile::Container(Container::Linear(linear)) => {
+                let part = |child: &TileId| {
+                    let share = linear.shares.iter().find(|(id, _)| *id == child);
+                    Some(Part {
+                        share: share.map_or(1.0, |(_, share)| *share),
+                        place: self.place(*child)?,
+                    })
+                };
+                let mut parts: Vec<Part> = linear.children.iter().filter_map(part).collect();
+                if parts.len() < 2 {
+                    return parts.pop().map(|part| part.place);
+                }
+                Some(match linear.dir {
+                    LinearDir::Horizontal => Layout::Row(parts),
+                    LinearDir::Vertical => Layout::Column(parts),
+                })
+            }
+            Tile::Container(container) => {
+                let active = match container {
+                    Container::Tabs(tabs) => tabs.active,
+                    _ => None,
+                };
+                let places = container.children().map(|id| (*id, self.place(*id)));
+                let mut places: Vec<_> = places
+                    .filter_map(|(id, place)| Some((id, place?)))
+                    .collect();
+                let [_, _, ..] = &places[..] else {
+                    return places.pop().map(|(_, place)| place);
+                };
+                let seen = places.iter().position(|(id, _)| Some(*id) == active);
+                Some(Layout::Tabs {
+                    active: seen.unwrap_or(0),
+                    views: places.iter().flat_map(|(_, place)| place.views()).collect(),
+                })
+            }
+        }
+    }
+}
+
+/// The tree of a layout. Each view has a bar with its name, to be dragged by.
+fn tree_of(layout: &Layout) -> Tree<ViewId> {
+    let mut tiles = Tiles::default();
+    let root = insert(&mut tiles, layout);
+    Tree::new(egui::Id::unique("views"), root, tiles)
+}
+
+fn insert(tiles: &mut Tiles<ViewId>, layout: &Layout) -> TileId {
+    match layout {
+        Layout::View(view) => {
+            let pane = tiles.insert_pane(*view);
+            tiles.insert_tab_tile(vec![pane])
+        }
+        Layout::Row(parts) => insert_parts(tiles, LinearDir::Horizontal, parts),
+        Layout::Column(parts) => insert_parts(tiles, LinearDir::Vertical, parts),
+        Layout::Tabs { views, active } => {
+            let panes: Vec<TileId> = views.iter().map(|view| tiles.insert_pane(*view)).collect();
+            let mut tabs = Tabs::new(panes.clone());
+            if let Some(active) = panes.get(*active) {
+                tabs.set_active(*active);
+            }
+            tiles.insert_container(tabs)
+        }
+    }
+}
+
+fn insert_parts(tiles: &mut Tiles<ViewId>, dir: LinearDir, parts: &[Part]) -> TileId {
+    let children: Vec<TileId> = parts
+        .iter()
+        .map(|part| insert(tiles, &part.place))
+        .collect();
+    let mut linear = Linear::new(dir, children.clone());
+    for (child, part) in children.into_iter().zip(parts) {
+        linear.shares.set_share(child, part.share);
+    }
+    tiles.insert_container(linear)
+}
+
+/// How the tiles look and what they hold.
+struct Panes<'a, 'b> {
+    show_view: &'a mut ShowView<'b>,
+    has_several: bool,
+    is_edited: bool,
+}
+
+/// The view of this id; ids are checked where they are read.
+fn spec_of(id: ViewId) -> Option<&'static ViewSpec> {
+    views::find(id.as_str()).ok()
+}
+
+impl Behavior<ViewId> for Panes<'_, '_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, view: &mut ViewId) -> UiResponse {
+        if let Some(view) = spec_of(*view) {
+            egui::Frame::NONE
+                .inner_margin(theme::TILE_MARGIN)
+                .show(ui, |ui| {
+                    ui.label(RichText::new(view.what_you_see).small().weak());
+                    (self.show_view)(ui, view);
+                });
+        }
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, view: &ViewId) -> WidgetText {
+        spec_of(*view)
+            .map_or_else(String::new, |view| view.title.to_owned())
+            .into()
+    }
+
+    fn is_tab_closable(&self, _tiles: &Tiles<ViewId>, _tile: TileId) -> bool {
+        self.has_several
+    }
+
+    fn on_tab_close(&mut self, _tiles: &mut Tiles<ViewId>, _tile: TileId) -> bool {
+        self.is_edited = true;
+        true
+    }
+
+    fn on_edit(&mut self, action: egui_tiles::EditAction) {
+        self.is_edited |= action != egui_tiles::EditAction::TileDragged;
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions {
+            all_panes_must_have_tabs: true,
+            ..SimplificationOptions::default()
+        }
+    }
+
+    fn tab_bar_height(&self, _style: &egui::Style) -> f32 {
+        theme::TAB_BAR_HEIGHT
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::session::READY_LAYOUTS;
+
+    #[test]
+    fn a_tree_stands_for_its_layout() {
+        for ready in &READY_LAYOUTS {
+            let layout = (ready.layout)();
+            let tiles = ViewTiles {
+                tree: tree_of(&layout),
+                layout: layout.clone(),
+            };
+            let root = tiles.tree.root().unwrap();
+            assert_eq!(tiles.place(root), Some(layout));
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! The views as tiles, and the one cursor, by accessible label.
+
+use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::session::{Layout, Session, ViewId};
+use egui::{Role, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable};
+
+use super::{window, window_of};
+
+fn layout(harness: &Harness<'_, App>) -> Vec<&'static str> {
+    let views = harness.state().session.layout.views();
+    views.into_iter().map(ViewId::as_str).collect()
+}
+
+#[test]
+fn ready_layouts_are_a_click_away_and_undone() {
+    let mut harness = window("rough_conductor");
+    assert_eq!(layout(&harness), ["polar", "lobe3d"]);
+    harness.get_by_label("Views").click();
+    harness.run();
+    harness.get_by_label("Compare").click();
+    harness.run();
+    assert_eq!(layout(&harness), ["polar", "lobe3d", "inspector"]);
+    assert!(
+        harness.query_by_label("Copy").is_some(),
+        "the inspector is seen"
+    );
+    harness.get_by_label("Undo").click();
+    harness.run();
+    assert_eq!(layout(&harness), ["polar", "lobe3d"]);
+}
+
+#[test]
+fn views_are_closed_and_added() {
+    let mut harness = window("rough_conductor");
+    let close = harness.query_all_by_label("Close").next().unwrap();
+    close.click();
+    harness.run();
+    assert_eq!(layout(&harness), ["lobe3d"]);
+    assert!(
+        harness.query_by_label("Close").is_none(),
+        "the last view stays"
+    );
+    harness.get_by_label("Views").click();
+    harness.run();
+    harness.get_by_label("Add polar plot").click();
+    harness.run();
+    assert_eq!(layout(&harness), ["lobe3d", "polar"]);
+}
+
+#[test]
+fn a_dragged_tab_makes_tabs_of_two_views() {
+    let mut harness = window("rough_conductor");
+    let place = |harness: &Harness<'_, App>, name| {
+        harness
+            .get_by_role_and_label(Role::Button, name)
+            .rect()
+            .center()
+    };
+    let (from, to) = (place(&harness, "3D lobe"), place(&harness, "Polar plot"));
+    harness.drag_at(from);
+    harness.run_steps(2);
+    for part in [0.2_f32, 0.6, 1.0, 1.0] {
+        harness.hover_at(from + part * (to - from));
+        harness.run_steps(2);
+    }
+    harness.drop_at(to);
+    harness.run();
+    let Layout::Tabs { views, .. } = &harness.state().session.layout else {
+        panic!("{:?}", harness.state().session.layout);
+    };
+    assert_eq!(views.len(), 2);
+    let text = harness.state().session.to_toml().unwrap();
+    assert_eq!(
+        Session::from_toml(&text, "s").unwrap(),
+        harness.state().session
+    );
+}
+
+#[test]
+fn the_inspector_reads_every_material_at_the_one_cursor() {
+    let mut harness = window_of(&["lambertian_reflection:reflectance=0.5", "rough_conductor"]);
+    harness.get_by_label("Views").click();
+    harness.run();
+    harness.get_by_label("Compare").click();
+    harness.run();
+    // 0.5 / pi in each channel, whatever the direction.
+    let value = "0.159";
+    let before = harness.query_all_by_label_contains(value).count();
+    assert!(before >= 3, "{before}");
+    assert!(
+        harness.query_by_label("θ 50°  φ 0°").is_some(),
+        "the mirror direction at first"
+    );
+    let dome = harness
+        .get_by_role_and_label(Role::Canvas, "3D lobe")
+        .rect();
+    harness.hover_at(dome.center() + vec2(30.0, -40.0));
+    harness.run();
+    assert!(
+        harness.query_by_label("θ 50°  φ 0°").is_none(),
+        "the cursor has moved"
+    );
+    let angles = |harness: &Harness<'_, App>| -> Vec<String> {
+        let all = harness.query_all_by_label_contains("θ ");
+        all.filter_map(|node| node.accesskit_node().label())
+            .collect()
+    };
+    let pointed = angles(&harness);
+    // The pointer leaves: what it pointed at stays.
+    harness.hover_at(egui::pos2(2.0, 2.0));
+    harness.run();
+    let kept = angles(&harness);
+    assert!(
+        pointed.iter().filter(|text| kept.contains(text)).count() >= 2,
+        "{pointed:?} {kept:?}"
+    );
+}
