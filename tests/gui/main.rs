@@ -12,6 +12,7 @@ mod overlay;
 mod render;
 mod screenshots;
 mod tiles;
+mod workers;
 
 use std::path::PathBuf;
 

@@ -1,0 +1,80 @@
+//! The window with its workers: the same answers, a little later.
+
+use std::time::{Duration, Instant};
+
+use brdf_explorer::analysis::Detail;
+use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::jobs::Clock;
+use brdf_explorer::ui::platform;
+use brdf_explorer::ui::views;
+use egui::Color32;
+use egui::epaint::Primitive;
+use egui_kittest::Harness;
+
+use super::session;
+
+/// More than any answer takes, on any machine.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The polar plot of a needle, a blade and a mixture.
+fn plot(clock: Option<Clock>) -> Harness<'static, App> {
+    let shown = [
+        "rough_conductor:alpha=0.001",
+        "rough_conductor:alpha_x=0.01,alpha_y=0.5",
+        "car_paint",
+    ];
+    let polar = views::find("polar").unwrap();
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(480.0, 360.0))
+        .with_max_steps(32)
+        .build_eframe(|cc| App::new(cc, session(&shown), Some(polar), clock));
+    harness.run_ok();
+    harness
+}
+
+/// Steps until every answer is full; the corners of all that is drawn then, with their colours. Where letters stand in
+/// the font's texture depends on what was written before, and is left out. Numbers are compared by their bits: degenerate lines
+/// end in corners that are none.
+fn settled(harness: &mut Harness<'_, App>) -> Vec<([u32; 2], Color32)> {
+    let begin = Instant::now();
+    while harness.state().shown() != Some(Detail::Full) {
+        assert!(begin.elapsed() < PATIENCE, "the answers never come");
+        std::thread::sleep(Duration::from_millis(1));
+        harness.step();
+    }
+    harness.step();
+    let shapes = harness.output().shapes.clone();
+    let primitives = harness.ctx.tessellate(shapes, 1.0);
+    let meshes = primitives
+        .into_iter()
+        .filter_map(|clipped| match clipped.primitive {
+            Primitive::Mesh(mesh) => Some(mesh.vertices),
+            Primitive::Callback(_) => None,
+        });
+    let corners: Vec<_> = meshes
+        .flatten()
+        .map(|v| ([v.pos.x, v.pos.y].map(f32::to_bits), v.color))
+        .collect();
+    assert!(corners.len() > 1000, "the plot is drawn");
+    corners
+}
+
+#[test]
+fn workers_give_the_answers_of_the_frame() {
+    let (mut at_once, mut pooled) = (plot(None), plot(Some(platform::seconds)));
+    assert!(settled(&mut at_once) == settled(&mut pooled));
+    // Many changes in quick succession: only the last one counts.
+    for theta in 1..60 {
+        pooled.state_mut().session.theta_deg = f64::from(theta);
+        pooled.step();
+    }
+    at_once.state_mut().session.theta_deg = 59.0;
+    at_once.step();
+    assert!(settled(&mut at_once) == settled(&mut pooled));
+    // Back to what was shown while something else is being computed.
+    for theta in [20.0, 59.0] {
+        pooled.state_mut().session.theta_deg = theta;
+        pooled.step();
+    }
+    assert!(settled(&mut at_once) == settled(&mut pooled));
+}
