@@ -44,7 +44,7 @@ fn views_are_closed_and_added() {
     );
     harness.get_by_label("Views").click();
     harness.run();
-    harness.get_by_label("Add polar plot").click();
+    harness.get_by_label("Add Polar plot").click();
     harness.run();
     assert_eq!(layout(&harness), ["lobe3d", "polar"]);
 }

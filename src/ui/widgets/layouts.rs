@@ -16,11 +16,14 @@ pub fn menu(ui: &mut Ui, session: &mut Session) {
             }
         }
         ui.separator();
+        ui.weak("Add a view");
         let open = session.layout.views();
         for view in &VIEWS {
             let is_closed = !open.contains(&ViewId::of(view));
-            let name = format!("Add {}", view.title.to_lowercase());
-            let button = ui.add_enabled(is_closed, egui::Button::new(name));
+            let button = ui.add_enabled(is_closed, egui::Button::new(view.title));
+            ui.ctx().accesskit_node_builder(button.id, |node| {
+                node.set_label(format!("Add {}", view.title));
+            });
             let button = button
                 .on_hover_text(view.what_you_see)
                 .on_disabled_hover_text("It is open");
