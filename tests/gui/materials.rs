@@ -40,6 +40,18 @@ fn shown<'a>(harness: &'a Harness<'_, App>) -> &'a Material {
 }
 
 #[test]
+fn the_list_is_folded_away_and_comes_back() {
+    let mut harness = window("rough_conductor");
+    assert!(harness.query_by_label("Search models").is_some());
+    harness.get_by_label("Fold").click();
+    harness.run();
+    assert!(harness.query_by_label("Search models").is_none());
+    harness.get_by_label("Materials").click();
+    harness.run();
+    assert!(harness.query_by_label("Search materials").is_some());
+}
+
+#[test]
 fn a_named_material_is_searched_and_chosen() {
     let mut harness = window("rough_conductor");
     assert!(harness.query_by_label("Brass").is_none());

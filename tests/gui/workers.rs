@@ -14,7 +14,7 @@ use egui_kittest::Harness;
 use super::session;
 
 /// More than any answer takes, on any machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// The polar plot of a needle, a blade and a mixture.
 fn plot(clock: Option<Clock>) -> Harness<'static, App> {

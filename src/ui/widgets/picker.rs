@@ -1,8 +1,8 @@
 //! The picker: every model and every named material under its category.
 
 use egui::{
-    Align, Atom, Button, Color32, IdSalt, Key, Rect, Response, RichText, ScrollArea, TextEdit, Ui,
-    Vec2, pos2,
+    Align, Atom, Button, Color32, IdSalt, Key, Layout, Rect, Response, RichText, ScrollArea,
+    TextEdit, Ui, Vec2, pos2,
 };
 
 use super::thumbnails::Thumbnails;
@@ -27,6 +27,8 @@ pub struct Picker {
     thumbnails: Thumbnails,
     /// The material it was last shown beside.
     beside: Option<EntryId>,
+    /// Whether the list is folded away, to leave its room to the parameters.
+    is_folded: bool,
     /// Whether the next choice is added, in place of replacing the selected material.
     pub is_adding: bool,
 }
@@ -140,6 +142,7 @@ impl Picker {
             scrolled_to: "",
             thumbnails: Thumbnails::new(is_at_once),
             beside: None,
+            is_folded: false,
             is_adding: false,
         }
     }
@@ -153,14 +156,13 @@ impl Picker {
     pub fn show(&mut self, ui: &mut Ui, materials: &mut Materials) -> Result<()> {
         self.follow(materials.selected());
         if self.is_adding {
+            self.is_folded = false;
             self.say_adding(ui);
         }
-        ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.list, List::Models, "Models")
-                .on_hover_text("Formulas at their default parameters, each by itself");
-            ui.selectable_value(&mut self.list, List::Materials, "Materials")
-                .on_hover_text("Things to recognise: one or several models with parameters from a stated source");
-        });
+        self.switch(ui);
+        if self.is_folded {
+            return Ok(());
+        }
         let [what, _] = self.list.words();
         let name = format!("Search {what}");
         let field = TextEdit::singleline(&mut self.search)
@@ -191,6 +193,32 @@ impl Picker {
             }
             None => Ok(()),
         }
+    }
+
+    /// Which list is shown, and whether.
+    fn switch(&mut self, ui: &mut Ui) {
+        ui.horizontal(|ui| {
+            for (list, name, hint) in [
+                (List::Models, "Models", "Formulas at their default parameters, each by itself"),
+                (
+                    List::Materials,
+                    "Materials",
+                    "Things to recognise: one or several models with parameters from a stated source",
+                ),
+            ] {
+                let is_shown = self.list == list && !self.is_folded;
+                if ui.selectable_label(is_shown, name).on_hover_text(hint).clicked() {
+                    (self.list, self.is_folded) = (list, false);
+                }
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let word = if self.is_folded { "Unfold" } else { "Fold" };
+                let hint = "Fold the list away, to leave its room to the parameters, or unfold it";
+                if ui.small_button(word).on_hover_text(hint).clicked() {
+                    self.is_folded = !self.is_folded;
+                }
+            });
+        });
     }
 
     /// Shows the list in which the selected material stands, where another one has been selected.
