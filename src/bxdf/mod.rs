@@ -3,6 +3,7 @@
 //! The conventions (frame, directions, units, deltas) are those of the crate documentation.
 
 pub mod batch;
+pub mod delta_only;
 pub mod glossy;
 pub mod material;
 
@@ -14,7 +15,6 @@ pub mod param;
 pub mod rotated;
 pub mod single;
 pub mod spec;
-pub mod unscattered;
 
 pub use material::{Component, Material};
 pub use spec::{

@@ -12,9 +12,10 @@
 //! the mirror alone.
 
 use super::*;
+use crate::bxdf::delta_only::{DeltaLobes, DeltaOnly};
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Delta, Deltas, sample_deltas};
+use crate::bxdf::{Delta, Deltas};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -44,32 +45,14 @@ struct FresnelSpecular<R> {
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    Box::new(FresnelSpecular {
+    Box::new(DeltaOnly(FresnelSpecular {
         eta: R::of(params.number("eta")),
-    })
+    }))
 }
 
-impl<R: Real> Bxdf<R> for FresnelSpecular<R> {
-    #[inline(always)]
-    fn f(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
-        Spectrum::black()
-    }
-
-    #[inline(always)]
-    fn pdf(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> R {
-        R::zero()
-    }
-
-    #[inline(always)]
-    fn sample_f(&self, wo: Vec3<R>, uc: R, _u: [R; 2]) -> Option<Sample<R>> {
-        sample_deltas(self.deltas(wo), uc)
-    }
-
+impl<R: Real> DeltaLobes<R> for FresnelSpecular<R> {
     #[inline(always)]
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        if w.z == R::zero() {
-            return [None, None];
-        }
         let e = if w.z > R::zero() {
             self.eta
         } else {

@@ -18,11 +18,11 @@
 //! direction where that is under 1e-7.
 
 use super::*;
+use crate::bxdf::delta_only::{DeltaOnly, Unscattered};
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
 use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::unscattered::Unscattered;
 use crate::bxdf::{Microfacet, are_across, both_above};
 
 /// The list entry.
@@ -74,7 +74,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
     let eta = R::of(params.number("eta"));
     if eta == R::one() {
-        return Box::new(Unscattered);
+        return Box::new(DeltaOnly(Unscattered));
     }
     Box::new(RoughDielectric {
         eta,

@@ -11,9 +11,10 @@
 //! transmitted light is dropped (it counts as absorbed); `fresnel_specular` keeps it.
 
 use super::*;
+use crate::bxdf::delta_only::{DeltaLobes, DeltaOnly};
 use crate::bxdf::optics::{Spectrum, conductor, fresnel};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Delta, Deltas, sample_deltas};
+use crate::bxdf::{Delta, Deltas};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -92,33 +93,15 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
         }
         _ => Fresnel::One,
     };
-    Box::new(SpecularReflection {
+    Box::new(DeltaOnly(SpecularReflection {
         reflectance: Spectrum::of(params.rgb("reflectance")),
         fresnel,
-    })
+    }))
 }
 
-impl<R: Real> Bxdf<R> for SpecularReflection<R> {
-    #[inline(always)]
-    fn f(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
-        Spectrum::black()
-    }
-
-    #[inline(always)]
-    fn pdf(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> R {
-        R::zero()
-    }
-
-    #[inline(always)]
-    fn sample_f(&self, wo: Vec3<R>, uc: R, _u: [R; 2]) -> Option<Sample<R>> {
-        sample_deltas(self.deltas(wo), uc)
-    }
-
+impl<R: Real> DeltaLobes<R> for SpecularReflection<R> {
     #[inline(always)]
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        if w.z == R::zero() {
-            return [None, None];
-        }
         let cos = w.z.abs();
         let share = match &self.fresnel {
             Fresnel::One => Spectrum::grey(R::one()),
