@@ -7,7 +7,7 @@ use crate::bxdf::{Bxdf, Delta};
 
 /// A lobe that changes by less counts as isotropic. Turning a direction moves it by a unit round-off, which the
 /// narrowest lobe (alpha 1e-4, measured 7e-12) and powers of 1e4 magnify by far less than this.
-const MAX_DEVIATION: f64 = 1e-6;
+pub const MAX_DEVIATION: f64 = 1e-6;
 
 /// Polar angles of the directions tried, in degrees: near the normal, grazing, and both sides.
 const THETAS_DEG: [f64; 6] = [8.0, 35.0, 60.0, 82.0, 125.0, 165.0];
@@ -31,14 +31,43 @@ pub fn measured(bxdf: &dyn Bxdf<f64>) -> bool {
 /// and turns, 0 to 1. The pairs are the model's own samples, so that they meet narrow lobes.
 #[must_use]
 pub fn largest_deviation(bxdf: &dyn Bxdf<f64>) -> f64 {
-    let mut largest = 0.0_f64;
+    largest_change(bxdf).deviation
+}
+
+/// What turning a surface changes most.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Change {
+    /// By how much, 0 to 1; see [`largest_deviation`].
+    pub deviation: f64,
+    /// The direction to the viewer before the turn; `None` where nothing changes.
+    pub wo: Option<DVec3>,
+    /// The direction to the light before the turn; `None` for deltas, and where nothing changes.
+    pub wi: Option<DVec3>,
+    /// How many values were compared.
+    pub n: usize,
+}
+
+impl Change {
+    fn take(&mut self, deviation: f64, wo: DVec3, wi: Option<DVec3>) {
+        self.n += 1;
+        if deviation > self.deviation {
+            (self.deviation, self.wo, self.wi) = (deviation, Some(wo), wi);
+        }
+    }
+}
+
+/// The change that [`largest_deviation`] measures, and where it is.
+#[must_use]
+pub fn largest_change(bxdf: &dyn Bxdf<f64>) -> Change {
+    let mut largest = Change::default();
     for (theta_deg, phi_deg) in pairs(THETAS_DEG, PHIS_DEG) {
         let wo = direction_from_degrees(theta_deg, phi_deg);
         let partners = partners(bxdf, wo);
         for turn in TURNS_DEG.map(f64::to_radians) {
-            largest = largest.max(delta_deviation(bxdf, wo, turn));
+            largest.take(delta_deviation(bxdf, wo, turn), wo, None);
             for wi in &partners {
-                largest = largest.max(value_deviation(bxdf, wo, *wi, turn));
+                let deviation = value_deviation(bxdf, wo, *wi, turn);
+                largest.take(deviation, wo, Some(*wi));
             }
         }
     }

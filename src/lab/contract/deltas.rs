@@ -27,7 +27,7 @@ pub(super) fn deltas(subject: &Subject, tallies: &mut Tallies) {
         let found = subject.double.deltas(w.into());
         let probability: f64 = found.iter().flatten().map(|delta| delta.probability).sum();
         tallies.record(LawId::Deltas, (probability - 1.0).max(0.0), SAME, || {
-            subject.witness(&[("w", w)])
+            subject.witness(&[("wi", w)])
         });
         for delta in found.into_iter().flatten() {
             consistency(subject, w, &delta, tallies);
@@ -38,7 +38,7 @@ pub(super) fn deltas(subject: &Subject, tallies: &mut Tallies) {
 
 fn consistency(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Tallies) {
     let direction: DVec3 = delta.direction.into();
-    let witness = || subject.witness(&[("w", w), ("delta", direction)]);
+    let witness = || subject.witness(&[("wi", w), ("wo", direction)]);
     let length_error = (delta.direction.length_squared() - 1.0).abs();
     tallies.record(LawId::Deltas, length_error, SAME, witness);
     let side = if w.z * direction.z > 0.0 {
@@ -71,7 +71,7 @@ fn consistency(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Ta
 /// The delta of the delta's direction on the same side leads back to `w`, with the same share of the flux.
 fn way_back(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Tallies) {
     let direction: DVec3 = delta.direction.into();
-    let witness = || subject.witness(&[("w", w), ("delta", direction)]);
+    let witness = || subject.witness(&[("wi", w), ("wo", direction)]);
     let back = subject
         .double
         .deltas(delta.direction)

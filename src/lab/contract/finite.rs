@@ -1,8 +1,10 @@
 //! Finite and not negative: `f`, `pdf` and samples at every extreme, in every precision.
 
+use glam::DVec3;
+
 use super::statistics::Random;
 use super::subject::Subject;
-use super::{LawId, Plan, Tallies};
+use super::{LawId, Plan, Tallies, Witness};
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::frame::cos_sin_deg;
 use crate::bxdf::math::{Real, Vec3};
@@ -47,8 +49,10 @@ fn finite_in<R: Real>(subject: &Subject, bxdf: &dyn Bxdf<R>, plan: &Plan, tallie
         .chain(random_pairs);
     for (wo, wi) in pairs {
         let holds = is_good(bxdf.f(wo, wi)) && is_good_number(bxdf.pdf(wo, wi));
-        tallies.require(LawId::Finite, holds, || {
-            format!("{} in {}: wo {wo:?} wi {wi:?}", subject.name, R::NAME)
+        tallies.require(LawId::Finite, holds, || Witness {
+            text: format!("{} in {}: wo {wo:?} wi {wi:?}", subject.name, R::NAME),
+            wo: Some(in_double(wo)),
+            wi: Some(in_double(wi)),
         });
     }
     for wo in given {
@@ -61,6 +65,11 @@ fn direction<R: Real>(cos: f64, azimuth_deg: f64) -> Vec3<R> {
     let radius = ((1.0 - cos) * (1.0 + cos)).sqrt();
     let (cos_phi, sin_phi) = cos_sin_deg(azimuth_deg);
     Vec3::new(R::of(radius * cos_phi), R::of(radius * sin_phi), R::of(cos))
+}
+
+/// The direction in f64.
+fn in_double<R: Real>(w: Vec3<R>) -> DVec3 {
+    DVec3::new(w.x.as_f64(), w.y.as_f64(), w.z.as_f64())
 }
 
 fn samples_are_finite<R: Real>(
@@ -83,11 +92,15 @@ fn samples_are_finite<R: Real>(
                     && is_good_number(sample.pdf)
                     && sample.pdf > R::zero();
                 tallies.require(LawId::Finite, holds, || {
-                    format!(
+                    let text = format!(
                         "{} in {}: sample of wo {wo:?} at uc {uc:?}, u {u:?} {v:?}: {sample:?}",
                         subject.name,
                         R::NAME
-                    )
+                    );
+                    Witness {
+                        wo: Some(in_double(wo)),
+                        ..text.into()
+                    }
                 });
             }
         }

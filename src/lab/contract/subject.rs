@@ -3,6 +3,7 @@
 use glam::DVec3;
 use xprec::Df64;
 
+use super::Witness;
 use crate::bxdf::math::frame;
 use crate::bxdf::param::{ParamSet, ParamSpec, Value};
 use crate::bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
@@ -143,13 +144,21 @@ impl Subject {
             })
     }
 
-    /// The witness of a comparison at these directions.
-    pub(super) fn witness(&self, directions: &[(&str, DVec3)]) -> String {
+    /// The witness of a comparison at these directions, of which `wo` and `wi` are the viewer's and the light's.
+    pub(super) fn witness(&self, directions: &[(&str, DVec3)]) -> Witness {
         let places = directions.iter().map(|(name, w)| {
             let (theta, phi) = (frame::theta(*w).to_degrees(), frame::phi(*w).to_degrees());
             format!(" {name} ({theta:.7}, {phi:.7})")
         });
-        std::iter::once(self.name.clone()).chain(places).collect()
+        let named = |wanted: &str| {
+            let mut all = directions.iter();
+            all.find_map(|(name, w)| (*name == wanted).then_some(*w))
+        };
+        Witness {
+            text: std::iter::once(self.name.clone()).chain(places).collect(),
+            wo: named("wo"),
+            wi: named("wi"),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Counting comparisons and keeping the worst.
 
-use super::{LawId, LawReport, Status};
+use super::{LawId, LawReport, Status, Witness};
 
 /// The worst comparison of every law so far.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ impl Default for Tallies {
             worst: 0.0,
             error: 0.0,
             n: 0,
-            witness: String::new(),
+            witness: Witness::default(),
         };
         Self(LawId::ALL.map(empty).to_vec())
     }
@@ -23,12 +23,12 @@ impl Default for Tallies {
 impl Tallies {
     /// Counts one comparison of `law`: it holds where `deviation` <= `error`, both not negative; a deviation that is not
     /// finite breaks it, whatever the error. `witness` says where, should it be the worst.
-    pub fn record(
+    pub fn record<W: Into<Witness>>(
         &mut self,
         law: LawId,
         deviation: f64,
         error: f64,
-        witness: impl FnOnce() -> String,
+        witness: impl FnOnce() -> W,
     ) {
         let Some(report) = self.0.iter_mut().find(|report| report.law == law) else {
             return;
@@ -43,7 +43,7 @@ impl Tallies {
         if report.n == 1 || ratio > worst || (ratio == worst && deviation > report.worst) {
             report.worst = deviation;
             report.error = error;
-            report.witness = witness();
+            report.witness = witness().into();
         }
         if deviation.is_infinite() || error.is_nan() || deviation > error {
             report.status = Status::Violated;
@@ -51,7 +51,12 @@ impl Tallies {
     }
 
     /// Counts a comparison that is a plain yes or no.
-    pub fn require(&mut self, law: LawId, holds: bool, witness: impl FnOnce() -> String) {
+    pub fn require<W: Into<Witness>>(
+        &mut self,
+        law: LawId,
+        holds: bool,
+        witness: impl FnOnce() -> W,
+    ) {
         self.record(law, if holds { 0.0 } else { 1.0 }, 0.0, witness);
     }
 
@@ -98,14 +103,14 @@ mod tests {
                 .clone()
         };
         assert_eq!(
-            (of(LawId::Energy).witness.as_str(), of(LawId::Energy).n),
+            (of(LawId::Energy).witness.text.as_str(), of(LawId::Energy).n),
             ("3/4", 4)
         );
         assert_eq!(of(LawId::Energy).status, Status::Ok);
         assert_eq!(of(LawId::Finite).status, Status::Violated);
         assert_eq!(of(LawId::Weight).status, Status::Violated);
         assert_eq!(of(LawId::Deltas).status, Status::Violated);
-        assert_eq!(of(LawId::Support).witness, "here");
+        assert_eq!(of(LawId::Support).witness.text, "here");
         assert_eq!(of(LawId::Support).status, Status::Violated);
     }
 }
