@@ -12,6 +12,7 @@ use crate::analysis::{Detail, HeldLobe, Hold, lobe3d, polar};
 use crate::bxdf::math::frame;
 use crate::bxdf::rotated::Rotated;
 use crate::bxdf::{Bxdf, Material};
+use crate::lab::contract::{LawReport, check_physical};
 
 /// Absolute error of the shares of light: below half a unit of the last digit shown.
 const SHARE_TOLERANCE: f64 = 2e-4;
@@ -58,6 +59,7 @@ struct Answers {
     mesh: Slot<(Held, lobe3d::Request), lobe3d::Mesh>,
     arrows: Memo<Held, Vec<Arrow>>,
     shares: Slot<Held, Vec<LobeShare>>,
+    checks: Slot<Material, Vec<LawReport>>,
 }
 
 /// The data of each view and material, and how long the last update took.
@@ -185,6 +187,24 @@ impl Data {
         })
     }
 
+    /// The laws that a material keeps and breaks, whatever is held; `None` while it is being computed.
+    pub fn checks(&mut self, entry: &MaterialEntry) -> Option<Arc<Vec<LawReport>>> {
+        let answers = self.answers.entry(entry.id()).or_default();
+        let material = entry.material.clone();
+        let checks = &mut answers.checks;
+        let answer = checks.ask(
+            &mut self.jobs,
+            &entry.material,
+            Detail::Coarse,
+            move |detail, watch| match detail {
+                // Nothing is said of laws half checked: what the views wait for goes first.
+                Detail::Coarse => None,
+                Detail::Full => check_physical(&material, &|| !watch.is_stale()),
+            },
+        );
+        answer.value.filter(|_| answer.detail.is_some())
+    }
+
     /// The surface of a material and what is held.
     fn held(&mut self, session: &Session, entry: &MaterialEntry) -> Held {
         let key = (entry.material.clone(), session.rotation_deg);
@@ -246,6 +266,11 @@ mod tests {
         session.materials.get_mut(added).unwrap().material = "ward".parse().unwrap();
         assert!(Arc::ptr_eq(&first, &section(&mut data, &session, 0)));
         assert!(!Arc::ptr_eq(&second, &section(&mut data, &session, 1)));
+        // The laws of a material do not depend on what is held.
+        let laws = |data: &mut Data, session: &Session| data.checks(session.materials.selected());
+        let checked = laws(&mut data, &session).unwrap();
+        session.theta_deg = 10.0;
+        assert!(Arc::ptr_eq(&checked, &laws(&mut data, &session).unwrap()));
         session.materials.remove(added);
         data.begin_frame(&session);
         assert_eq!(data.answers.len(), 1);

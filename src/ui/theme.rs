@@ -49,6 +49,10 @@ pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
 pub const LEGEND_ROW: f32 = 17.0;
 /// The size of the grip by which a row is dragged, in points.
 pub const GRIP: Vec2 = Vec2::new(12.0, 16.0);
+/// The room between badges, and between the edge and the text of one.
+pub const BADGE_SPACING: (Vec2, Vec2) = (Vec2::new(3.0, 2.0), Vec2::new(2.0, 0.0));
+/// The height of a badge, in points.
+pub const BADGE_HEIGHT: f32 = 15.0;
 /// The strength of the colour of a material that is not shown.
 pub const HIDDEN_STRENGTH: f32 = 0.35;
 /// The most characters of a name.
@@ -114,6 +118,8 @@ pub struct Palette {
     pub absorbed: Color32,
     /// The categories in the bar of shares, in the order in which they are listed.
     categories: [Color32; 4],
+    /// What is as it should be.
+    pub kept: Color32,
     /// What is wrong.
     pub warning: Color32,
     red: Color32,
@@ -172,6 +178,7 @@ impl Palette {
                 rgb(okabe_ito::VERMILION),
                 rgb(okabe_ito::PURPLE),
             ],
+            kept: rgb([60, 190, 140]),
             warning: rgb([255, 140, 70]),
             red: rgb([240, 110, 90]),
             green: rgb([60, 190, 140]),
@@ -208,6 +215,7 @@ impl Palette {
                 rgb(okabe_ito::VERMILION),
                 rgb(okabe_ito::PURPLE),
             ],
+            kept: rgb([0, 120, 85]),
             warning: rgb([176, 60, 0]),
             red: rgb([190, 50, 40]),
             green: rgb([0, 120, 85]),

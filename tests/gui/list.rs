@@ -15,6 +15,13 @@ fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.run();
 }
 
+/// [`click`] on what may have to be scrolled to.
+fn reach(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_label(label).scroll_to_me();
+    harness.run();
+    click(harness, label);
+}
+
 fn materials<'a>(harness: &'a Harness<'_, App>) -> &'a Materials {
     &harness.state().session.materials
 }
@@ -339,12 +346,12 @@ fn linked_widths_move_together() {
     };
     slide(&mut harness, "Alpha x", 0.5);
     assert_eq!(widths(&harness), [0.5, 0.5]);
-    click(&mut harness, "Same alpha along s and t");
+    reach(&mut harness, "Same alpha along s and t");
     slide(&mut harness, "Alpha y", 0.1);
     assert_eq!(widths(&harness), [0.5, 0.1]);
-    click(&mut harness, "Same alpha along s and t");
+    reach(&mut harness, "Same alpha along s and t");
     assert_eq!(widths(&harness), [0.5, 0.5]);
-    click(&mut harness, "Reset all of Rough conductor");
+    reach(&mut harness, "Reset all of Rough conductor");
     assert_eq!(widths(&harness), [0.3, 0.3]);
 }
 
@@ -355,7 +362,7 @@ fn a_locked_parameter_moves_all_that_have_it() {
         harness.query_by_label("Lock Fresnel").is_none(),
         "no other has it"
     );
-    click(&mut harness, "Lock Alpha x");
+    reach(&mut harness, "Lock Alpha x");
     assert!(harness.state().session.locked.contains("alpha_x"));
     harness
         .get_by_role_and_label(Role::Slider, "Alpha x")
@@ -366,7 +373,7 @@ fn a_locked_parameter_moves_all_that_have_it() {
         entry.material.components()[0].params().number("alpha_x")
     };
     assert_eq!([alpha(&harness, 0), alpha(&harness, 1)], [0.5; 2]);
-    click(&mut harness, "Lock Alpha x");
-    click(&mut harness, "Reset Alpha x");
+    reach(&mut harness, "Lock Alpha x");
+    reach(&mut harness, "Reset Alpha x");
     assert_eq!([alpha(&harness, 0), alpha(&harness, 1)], [0.3, 0.5]);
 }

@@ -16,7 +16,7 @@ use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
 use super::widgets::search::{Outcome, Search};
-use super::widgets::{directions, help, layouts, options, status};
+use super::widgets::{badges, directions, help, options, status};
 use super::{commands, scene3d};
 use crate::analysis::Detail;
 use files::Files;
@@ -102,8 +102,8 @@ impl App {
         let Session {
             materials, locked, ..
         } = &mut self.session;
-        let listed = self.list.show(ui, materials, palette);
-        self.notice.report(listed);
+        let listed = self.list.show(ui, materials, &mut self.data, palette);
+        let mut wished = self.notice.report(listed).flatten();
         ui.separator();
         let picked = self.picker.show(ui, materials);
         self.notice.report(picked);
@@ -122,6 +122,9 @@ impl App {
                 is_shared: &|spec| materials.is_shared(spec),
             };
             ui.push_id(before.id(), |ui| {
+                let title = materials.title(&before);
+                let clicked = badges::show(ui, &title, &before, &mut self.data, palette);
+                wished = clicked.or(wished.take());
                 self.components.show(ui, &mut edited.material, &mut ties);
             });
             if edited != before {
@@ -130,6 +133,10 @@ impl App {
             }
             ui.add_space(4.0);
         });
+        if let Some(witness) = wished {
+            let selected = self.session.materials.selected().id();
+            self.cursor = Cursor::jump(&mut self.session, selected, &witness).or(self.cursor);
+        }
     }
 
     /// The heading of the list, with the commands that add to it.

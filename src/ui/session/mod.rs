@@ -156,6 +156,19 @@ impl Session {
         }
     }
 
+    /// Holds exactly the direction `w` of a surface that is not turned, on the surface as it is turned.
+    pub fn hold_on_surface(&mut self, w: DVec3) {
+        let w = self.on_surface(w);
+        self.theta_deg = frame::theta(w).to_degrees();
+        self.phi_deg = wrapped_deg(frame::phi(w).to_degrees());
+    }
+
+    /// Where the direction `w` of a surface that is not turned lies on the surface as it is turned.
+    #[must_use]
+    pub fn on_surface(&self, w: DVec3) -> DVec3 {
+        frame::turned_about_normal(w, self.rotation_deg.to_radians())
+    }
+
     /// Shows lengths by decades, or in proportion.
     pub fn set_logarithmic(&mut self, is_logarithmic: bool) {
         self.scale = if is_logarithmic {

@@ -5,8 +5,9 @@ use glam::DVec3;
 use super::data::Data;
 use super::session::{EntryId, MaterialEntry, Session};
 use super::theme::Palette;
-use crate::analysis::HeldLobe;
+use crate::analysis::{HeldLobe, Hold};
 use crate::error::{Error, Result};
+use crate::lab::contract::Witness;
 
 mod inspector;
 mod lobe3d;
@@ -92,6 +93,29 @@ pub struct Cursor {
 }
 
 impl Cursor {
+    /// Holds one direction of the pair at `witness`, which is of a surface that is not turned, and points at the other. A
+    /// light alone is held whatever was held before; a viewer alone likewise.
+    #[must_use]
+    pub fn jump(session: &mut Session, material: EntryId, witness: &Witness) -> Option<Self> {
+        let (held, free) = match (session.hold, witness.wo, witness.wi) {
+            (_, None, None) => return None,
+            (Hold::Light, wo, Some(wi)) | (_, wo @ None, Some(wi)) => {
+                session.hold = Hold::Light;
+                (wi, wo)
+            }
+            (_, Some(wo), wi) => {
+                session.hold = Hold::Viewer;
+                (wo, wi)
+            }
+        };
+        session.hold_on_surface(held);
+        let direction = session.on_surface(free?);
+        Some(Self {
+            material,
+            direction,
+        })
+    }
+
     /// The material pointed at; the selected one where it is no longer there, or hidden.
     #[must_use]
     pub fn entry<'a>(&self, session: &'a Session) -> &'a MaterialEntry {

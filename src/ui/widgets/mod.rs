@@ -1,5 +1,6 @@
 //! Parts of the window that are no view.
 
+pub mod badges;
 pub mod components;
 pub mod directions;
 pub mod draw;

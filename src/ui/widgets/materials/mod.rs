@@ -3,6 +3,8 @@
 use egui::{Id, Key, Modifiers, Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::error::Result;
+use crate::lab::contract::Witness;
+use crate::ui::data::Data;
 use crate::ui::session::{EntryId, Materials};
 use crate::ui::theme::{self, Palette};
 use row::Row;
@@ -44,10 +46,12 @@ pub(super) enum Action {
     Copy,
     /// Remove it.
     Remove,
+    /// Select it and hold the directions where it breaks a law.
+    Inspect(Witness),
 }
 
 impl MaterialList {
-    /// The list; it changes `materials`.
+    /// The list; it changes `materials`. Returns the place to go to where a badge is clicked: its material is selected.
     ///
     /// # Errors
     /// [`crate::Error::Limit`] where there are as many materials as a session has.
@@ -55,8 +59,9 @@ impl MaterialList {
         &mut self,
         ui: &mut Ui,
         materials: &mut Materials,
+        data: &mut Data,
         palette: &Palette,
-    ) -> Result<()> {
+    ) -> Result<Option<Witness>> {
         let mut wished = Vec::new();
         let area = ScrollArea::vertical()
             .id_salt("material list")
@@ -64,15 +69,16 @@ impl MaterialList {
             .auto_shrink([false, true]);
         area.show(ui, |ui| {
             ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
-            let rects = self.rows(ui, materials, palette, &mut wished);
+            let rects = self.rows(ui, materials, data, palette, &mut wished);
             if let Some((id, place)) = dragged_to(ui, materials, &rects) {
                 wished.push((id, Action::MoveTo(place)));
             }
         });
-        let mut result = Ok(());
+        let mut result = Ok(None);
         for (id, action) in wished {
-            if let Err(error) = self.act(ui, materials, id, action) {
-                result = Err(error);
+            match self.act(ui, materials, id, action) {
+                Ok(None) => {}
+                found => result = found,
             }
         }
         result
@@ -83,6 +89,7 @@ impl MaterialList {
         &mut self,
         ui: &mut Ui,
         materials: &Materials,
+        data: &mut Data,
         palette: &Palette,
         wished: &mut Vec<(EntryId, Action)>,
     ) -> Vec<Rect> {
@@ -99,7 +106,7 @@ impl MaterialList {
             };
             // A row keeps its ids, and with them the focus, when it moves.
             let scope = UiBuilder::new().scope_id(row_id(id));
-            let response = ui.scope_builder(scope, |ui| row.show(ui, palette));
+            let response = ui.scope_builder(scope, |ui| row.show(ui, data, palette));
             wished.extend(response.inner.into_iter().map(|action| (id, action)));
             let response = response.response;
             rects.push(response.rect);
@@ -117,7 +124,7 @@ impl MaterialList {
         materials: &mut Materials,
         id: EntryId,
         action: Action,
-    ) -> Result<()> {
+    ) -> Result<Option<Witness>> {
         match action {
             Action::Select => materials.select(id),
             Action::SetVisible(is_visible) => {
@@ -148,8 +155,12 @@ impl MaterialList {
                 }
             }
             Action::Remove => materials.remove(id),
+            Action::Inspect(witness) => {
+                materials.select(id);
+                return Ok(Some(witness));
+            }
         }
-        Ok(())
+        Ok(None)
     }
 }
 

@@ -2,13 +2,15 @@
 
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, Atom, Button, Checkbox, Key, Layout, Response, Role, Sense, TextEdit, Ui, WidgetInfo,
-    vec2,
+    Align, Atom, Button, Checkbox, Key, Layout, Rect, Response, Role, Sense, TextEdit, Ui,
+    WidgetInfo, vec2,
 };
 
 use super::{Action, grip_id, is_pressed};
+use crate::ui::data::Data;
 use crate::ui::session::{MaterialEntry, Materials};
 use crate::ui::theme::{self, Dash, Palette};
+use crate::ui::widgets::badges::Badges;
 use crate::ui::widgets::draw;
 
 /// A row, about to be shown.
@@ -21,8 +23,8 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// The row: grip, whether it is seen, line, name, menu. Returns what the user wants.
-    pub(super) fn show(&self, ui: &mut Ui, palette: &Palette) -> Vec<Action> {
+    /// The row: grip, whether it is seen, line, name, badge, menu. Returns what the user wants.
+    pub(super) fn show(&self, ui: &mut Ui, data: &mut Data, palette: &Palette) -> Vec<Action> {
         let mut wished = Vec::new();
         ui.horizontal(|ui| {
             self.grip(ui, &mut wished);
@@ -30,6 +32,7 @@ impl Row<'_> {
             self.line(ui, palette);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 self.menu_button(ui, &mut wished);
+                self.badge(ui, data, palette, &mut wished);
                 if self.is_alone() {
                     let solo = ui
                         .selectable_label(true, "Alone")
@@ -47,6 +50,23 @@ impl Row<'_> {
             });
         });
         wished
+    }
+
+    /// What became of the laws, where it is in sight.
+    fn badge(&self, ui: &mut Ui, data: &mut Data, palette: &Palette, wished: &mut Vec<Action>) {
+        let size = vec2(theme::RESET_WIDTH, theme::GRIP.y);
+        let is_in_sight = ui.is_rect_visible(Rect::from_center_size(ui.max_rect().center(), size));
+        let checks = if is_in_sight {
+            data.checks(self.entry)
+        } else {
+            None
+        };
+        let badges = Badges {
+            title: &self.title,
+            material: &self.entry.material,
+            reports: checks.as_ref().map(|checks| checks.as_slice()),
+        };
+        wished.extend(badges.summary(ui, palette).map(Action::Inspect));
     }
 
     fn is_alone(&self) -> bool {
