@@ -138,11 +138,18 @@ fn rows_hold_their_badges() {
             "{title}"
         );
     }
-    for law in ["Reciprocity", "Energy", "Non-negativity"] {
-        let badge = rect(&format!("{law} of Plastic: kept"));
-        assert!(
-            badge.right() < brdf_explorer::ui::theme::SIDE_WIDTH,
-            "{law}"
-        );
-    }
+}
+
+/// The laws of the selected material stand in one line, the longest word among them too.
+#[test]
+fn the_laws_stand_in_one_line() {
+    let shown = session(&["rough_conductor:alpha_x=0.1,alpha_y=0.5", BRIGHT, TURQUIN]);
+    let harness = picture(shown, None, [1024, 640], egui::Theme::Dark)
+        .harness()
+        .unwrap();
+    let rect = |label: &str| harness.get_by_label(label).rect();
+    let first = rect("Reciprocity of Rough conductor: kept");
+    let last = rect("Isotropy of Rough conductor: anisotropic");
+    assert_eq!(first.top(), last.top());
+    assert!(last.right() < brdf_explorer::ui::theme::SIDE_WIDTH);
 }
