@@ -51,6 +51,8 @@ pub const LEGEND_ROW: f32 = 17.0;
 pub const GRIP: Vec2 = Vec2::new(12.0, 16.0);
 /// The room between badges, and between the edge and the text of one.
 pub const BADGE_SPACING: (Vec2, Vec2) = (Vec2::new(3.0, 2.0), Vec2::new(2.0, 0.0));
+/// The room between name, badge and menu in a row of the list of materials, in points.
+pub const ROW_SPACING: f32 = 1.0;
 /// The height of a badge, in points.
 pub const BADGE_HEIGHT: f32 = 15.0;
 /// The strength of the colour of a material that is not shown.

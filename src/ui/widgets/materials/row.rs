@@ -31,6 +31,8 @@ impl Row<'_> {
             self.visibility(ui, &mut wished);
             self.line(ui, palette);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                // Names need the room.
+                ui.spacing_mut().item_spacing.x = theme::ROW_SPACING;
                 self.menu_button(ui, &mut wished);
                 self.badge(ui, data, palette, &mut wished);
                 if self.is_alone() {
