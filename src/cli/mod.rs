@@ -124,12 +124,12 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-#[cfg(feature = "gui")]
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 fn window() -> Result<()> {
     crate::ui::run()
 }
 
-#[cfg(not(feature = "gui"))]
+#[cfg(not(all(feature = "gui", not(target_arch = "wasm32"))))]
 fn window() -> Result<()> {
     Err(Error::Platform {
         problem: "this build has no window and draws no pictures".to_owned(),

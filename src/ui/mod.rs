@@ -16,6 +16,8 @@ pub mod theme;
 pub mod tiles;
 pub mod views;
 pub mod widgets;
+#[cfg(not(target_arch = "wasm32"))]
 mod window;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub use window::run;

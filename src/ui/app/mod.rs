@@ -16,7 +16,7 @@ use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
 use super::widgets::search::{Outcome, Search};
-use super::widgets::{badges, directions, help, options, status};
+use super::widgets::{badges, directions, help, layouts, options, status};
 use super::{commands, scene3d};
 use crate::analysis::Detail;
 use files::Files;
