@@ -179,19 +179,4 @@ mod tests {
         });
         assert!(given_up.is_none() && asked.get() == 1);
     }
-
-    /// Prints how long each material of the catalogue takes.
-    #[test]
-    #[ignore = "a measurement"]
-    fn times() {
-        let models = MODELS.map(Material::of);
-        let named = library::all().iter().map(|named| named.material.clone());
-        for material in models.into_iter().chain(named) {
-            let start = std::time::Instant::now();
-            let reports = check(&material);
-            let took = start.elapsed().as_secs_f64() * 1e3;
-            let found = reports.iter().map(|report| report.status.id());
-            println!("{took:8.1} ms  {:?}  {material}", found.collect::<Vec<_>>());
-        }
-    }
 }
