@@ -5,7 +5,10 @@
 //! the rest. What keeps a loop from it is a call that stays one, so everything in a model's `f`, `pdf` and `sample_f` is
 //! `#[inline(always)]`, and takes `Option`s apart with `let else`: a combinator with a large closure stays a call.
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::Simd;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd_macros::simd;
 
 use kernels::{BLOCK, Block, Densities, Kernel, LobeSamples, Samples, Values};
@@ -180,6 +183,7 @@ pub fn instruction_set() -> String {
     name.to_lowercase()
 }
 
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[simd]
 fn work_with<S: Simd, R: Real, B: Bxdf<R> + ?Sized>(_: S, bxdf: &B, job: Job<'_, R::Stored>) {
     work(bxdf, job);
