@@ -53,6 +53,18 @@ impl<'a> HeldLobe<'a> {
         Self { bxdf, hold, held }
     }
 
+    /// The surface.
+    #[must_use]
+    pub fn surface(&self) -> &'a dyn Bxdf<f64> {
+        self.bxdf
+    }
+
+    /// Which direction is held.
+    #[must_use]
+    pub fn hold(&self) -> Hold {
+        self.hold
+    }
+
     /// The held direction.
     #[must_use]
     pub fn held(&self) -> DVec3 {

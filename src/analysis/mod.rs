@@ -6,11 +6,13 @@ pub mod lobe;
 pub mod lobe3d;
 pub mod polar;
 pub mod quadrature;
+pub mod question;
 pub mod reflectance;
 pub mod scale;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
+pub use question::{IsWanted, Question, Subject};
 pub use scale::{Channel, RadialScale};
 
 /// How carefully something is computed.

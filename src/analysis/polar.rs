@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::lobe::HeldLobe;
 use super::scale::RadialScale;
+use super::{Detail, IsWanted, Question, Subject};
 use crate::bxdf::math::frame;
 
 /// What a section shows.
@@ -24,6 +25,14 @@ impl Request {
     fn shown(&self, f: [f64; 3], w: DVec3) -> [f64; 3] {
         let cosine = if self.with_cosine { w.z.abs() } else { 1.0 };
         f.map(|f| f * cosine)
+    }
+}
+
+impl Question for Request {
+    type Answer = Section;
+
+    fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Section> {
+        Some(section(&subject.lobe, self))
     }
 }
 

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::lobe::{HeldLobe, Hold};
 use super::quadrature::{Integral, integrate_square};
+use super::{Detail, IsWanted, Question, Subject};
 use crate::bxdf::{Bxdf, Category, Lobe, Side};
 
 /// What becomes of the light arriving along one direction, per channel, as shares of its flux.
@@ -111,6 +112,30 @@ pub fn lobe_shares(
         error: 0.0,
     });
     continuous.chain(deltas).collect()
+}
+
+/// The question what each lobe does with the light that arrives along the held direction, whichever is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SharesRequest {
+    /// The absolute error aimed at.
+    pub tolerance: f64,
+    /// How many evaluations a lobe may take.
+    pub max_evaluations: usize,
+}
+
+impl Question for SharesRequest {
+    type Answer = Vec<LobeShare>;
+
+    fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Vec<LobeShare>> {
+        let lobe = &subject.lobe;
+        let (tolerance, evaluations) = (self.tolerance, self.max_evaluations);
+        Some(lobe_shares(
+            lobe.surface(),
+            lobe.held(),
+            tolerance,
+            evaluations,
+        ))
+    }
 }
 
 /// The sums of `shares` by category and side: reflection first, the categories of each side in their order. Kinds that no

@@ -1,5 +1,6 @@
 //! What the views show of each material, computed from the session and kept while the inputs stay the same.
 
+use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -7,18 +8,11 @@ use super::jobs::{Answer, Clock, Jobs, Slot};
 use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Session};
 use crate::analysis::lobe::Arrow;
-use crate::analysis::reflectance::{LobeShare, lobe_shares};
-use crate::analysis::{Detail, HeldLobe, Hold, lobe3d, polar};
+use crate::analysis::{Detail, HeldLobe, Hold, Question, Subject};
 use crate::bxdf::math::frame;
 use crate::bxdf::rotated::Rotated;
 use crate::bxdf::{Bxdf, Material};
 use crate::lab::contract::{LawReport, check_physical};
-
-/// Absolute error of the shares of light: below half a unit of the last digit shown.
-const SHARE_TOLERANCE: f64 = 2e-4;
-
-/// Evaluations the shares may take: a few milliseconds, whatever the material.
-const SHARE_EVALUATIONS: usize = 60_000;
 
 /// Seconds after which it is said that something is being computed.
 const BLINK: f64 = 0.1;
@@ -33,34 +27,97 @@ pub enum Progress {
 }
 
 /// A material, turned about n.
-pub type Surface = Box<dyn Bxdf<f64>>;
+pub struct Surface {
+    /// What is evaluated.
+    pub bxdf: Box<dyn Bxdf<f64>>,
+    /// The index of refraction below over that above.
+    pub relative_index: f64,
+}
 
-/// A surface and the direction held: the input of every request.
-#[derive(Clone, PartialEq)]
+/// The direction held.
+#[derive(Clone, Copy, PartialEq)]
 struct Held {
-    surface: Same<Surface>,
     hold: Hold,
     theta_deg: f64,
     phi_deg: f64,
 }
 
 impl Held {
-    fn lobe(&self) -> HeldLobe<'_> {
-        let held = frame::direction_from_degrees(self.theta_deg, self.phi_deg);
-        HeldLobe::new(&**self.surface.0, self.hold, held)
+    fn of(session: &Session) -> Self {
+        Self {
+            hold: session.hold,
+            theta_deg: session.theta_deg,
+            phi_deg: session.phi_deg,
+        }
     }
+
+    fn lobe<'a>(&self, surface: &'a Surface) -> HeldLobe<'a> {
+        let held = frame::direction_from_degrees(self.theta_deg, self.phi_deg);
+        HeldLobe::new(&*surface.bxdf, self.hold, held)
+    }
+}
+
+/// All that an answer depends on.
+#[derive(Clone, PartialEq)]
+struct Asked<Q> {
+    surface: Same<Surface>,
+    against: Option<Same<Surface>>,
+    /// The direction held; where it does not matter, always the same one.
+    held: Held,
+    question: Q,
 }
 
 /// The answers of one material.
 #[derive(Default)]
 struct Answers {
     surface: Memo<(Material, f64), Surface>,
-    section: Slot<(Held, polar::Request), polar::Section>,
-    mesh: Slot<(Held, lobe3d::Request), lobe3d::Mesh>,
-    arrows: Memo<Held, Vec<Arrow>>,
-    shares: Slot<Held, Vec<LobeShare>>,
+    arrows: Memo<(Same<Surface>, Held), Vec<Arrow>>,
     checks: Slot<Material, Vec<LawReport>>,
+    /// The slots of the views' questions, by the type of the question and its place.
+    slots: HashMap<(TypeId, usize), Kept>,
 }
+
+/// A `Slot<Asked<Q>, Q::Answer>` of some question `Q`.
+struct Kept {
+    slot: Box<dyn Any>,
+    /// The frame in which it was asked last.
+    frame: u64,
+}
+
+impl Answers {
+    fn ask<Q: Question>(
+        &mut self,
+        jobs: &mut Jobs,
+        frame: u64,
+        asked: &Asked<Q>,
+    ) -> Answer<Q::Answer> {
+        let place = (TypeId::of::<Q>(), asked.question.place());
+        let kept = self.slots.entry(place).or_insert_with(|| Kept {
+            slot: Box::new(Slot::<Asked<Q>, Q::Answer>::default()),
+            frame,
+        });
+        kept.frame = frame;
+        // The type is a part of the place: it is always this one.
+        let Some(slot) = kept.slot.downcast_mut::<Slot<Asked<Q>, Q::Answer>>() else {
+            return Answer::nothing();
+        };
+        let inputs = asked.clone();
+        slot.ask(jobs, asked, Q::FIRST, move |detail, watch| {
+            let lobe = |surface| inputs.held.lobe(surface);
+            let subject = Subject {
+                lobe: lobe(&inputs.surface.0),
+                relative_index: inputs.surface.0.relative_index,
+                against: inputs.against.as_ref().map(|against| lobe(&against.0)),
+            };
+            inputs
+                .question
+                .answer(&subject, detail, &|| !watch.is_stale())
+        })
+    }
+}
+
+/// How many frames the answer to a question outlives the view that asked: a view hidden for longer asks anew.
+const FRAMES_KEPT: u64 = 3;
 
 /// The data of each view and material, and how long the last update took.
 ///
@@ -69,6 +126,8 @@ pub struct Data {
     answers: HashMap<EntryId, Answers>,
     jobs: Jobs,
     clock: Option<Clock>,
+    /// The number of this frame.
+    frame: u64,
     /// Seconds from the last change to its full answers; `None` before the first, and without a clock.
     last_update: Option<f64>,
     /// Since when answers are awaited, in seconds of the clock.
@@ -86,18 +145,24 @@ impl Data {
             answers: HashMap::new(),
             jobs: Jobs::new(clock, wake),
             clock,
+            frame: 0,
             last_update: None,
             awaited_since: None,
             shown: Some(Detail::Full),
         }
     }
 
-    /// Begins a frame. What belongs to materials that `session` has no longer is dropped.
+    /// Begins a frame. What belongs to materials that `session` has no longer is dropped, and what no view asks for.
     pub fn begin_frame(&mut self, session: &Session) {
         self.end_frame();
+        self.frame += 1;
         self.jobs.begin_frame();
         self.answers
             .retain(|id, _| session.materials.get(*id).is_some());
+        for answers in self.answers.values_mut() {
+            let is_asked = |kept: &Kept| kept.frame + FRAMES_KEPT > self.frame;
+            answers.slots.retain(|_, kept| is_asked(kept));
+        }
     }
 
     /// Takes the time of an update that is complete.
@@ -132,59 +197,59 @@ impl Data {
 
     /// The surface of a material.
     pub fn surface(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Surface> {
-        self.held(session, entry).surface.0
-    }
-
-    /// The section that the polar plot shows.
-    pub fn section(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<polar::Section> {
-        let request = section_request(session);
-        self.ask(session, entry, |answers, jobs, held| {
-            let key = (held.clone(), request);
-            answers.section.ask(jobs, &key, Detail::Full, move |_, _| {
-                Some(polar::section(&held.lobe(), &request))
-            })
+        let key = (entry.material.clone(), session.rotation_deg);
+        let answers = self.answers.entry(entry.id()).or_default();
+        answers.surface.get(key, || {
+            let turn = frame::cos_sin_deg(session.rotation_deg);
+            Surface {
+                bxdf: Box::new(Rotated::new(entry.material.build(), turn)),
+                relative_index: entry.material.relative_index(),
+            }
         })
     }
 
-    /// The mesh that the 3D view shows.
-    pub fn mesh(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<lobe3d::Mesh> {
-        let request = lobe3d::Request {
-            scale: session.scale,
-            with_cosine: session.with_cosine,
+    /// The answer to `question` about a material, or to the last one of its kind; an empty one before the first.
+    pub fn ask<Q: Question>(
+        &mut self,
+        session: &Session,
+        entry: &MaterialEntry,
+        question: Q,
+    ) -> Arc<Q::Answer> {
+        self.compare(session, entry, None, question)
+    }
+
+    /// [`Self::ask`], of a question that compares the material with another one.
+    pub fn compare<Q: Question>(
+        &mut self,
+        session: &Session,
+        entry: &MaterialEntry,
+        against: Option<&MaterialEntry>,
+        question: Q,
+    ) -> Arc<Q::Answer> {
+        let held = if Q::USES_HELD {
+            session
+        } else {
+            &Session::default()
         };
-        self.ask(session, entry, |answers, jobs, held| {
-            let key = (held.clone(), request);
-            answers
-                .mesh
-                .ask(jobs, &key, Detail::Coarse, move |detail, watch| {
-                    lobe3d::mesh_while(&held.lobe(), &request, detail, &|| !watch.is_stale())
-                })
-        })
+        let asked = Asked {
+            surface: Same(self.surface(session, entry)),
+            against: against.map(|against| Same(self.surface(session, against))),
+            held: Held::of(held),
+            question,
+        };
+        let answers = self.answers.entry(entry.id()).or_default();
+        let answer = answers.ask(&mut self.jobs, self.frame, &asked);
+        self.shown = self.shown.min(answer.detail);
+        answer.value.unwrap_or_default()
     }
 
     /// The Dirac deltas of the held direction.
     pub fn arrows(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Vec<Arrow>> {
-        let held = self.held(session, entry);
+        let surface = self.surface(session, entry);
+        let held = Held::of(session);
         let arrows = &mut self.answers.entry(entry.id()).or_default().arrows;
-        arrows.get(held.clone(), || held.lobe().arrows())
-    }
-
-    /// What each lobe does with light arriving along the held direction.
-    pub fn shares(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Vec<LobeShare>> {
-        let direction = session.held();
-        self.ask(session, entry, |answers, jobs, held| {
-            answers
-                .shares
-                .ask(jobs, &held.clone(), Detail::Full, move |_, _| {
-                    let surface = &**held.surface.0;
-                    Some(lobe_shares(
-                        surface,
-                        direction,
-                        SHARE_TOLERANCE,
-                        SHARE_EVALUATIONS,
-                    ))
-                })
-        })
+        let key = (Same(Arc::clone(&surface)), held);
+        arrows.get(key, || held.lobe(&surface).arrows())
     }
 
     /// The laws that a material keeps and breaks, whatever is held; `None` while it is being computed.
@@ -204,46 +269,6 @@ impl Data {
         );
         answer.value.filter(|_| answer.detail.is_some())
     }
-
-    /// The surface of a material and what is held.
-    fn held(&mut self, session: &Session, entry: &MaterialEntry) -> Held {
-        let key = (entry.material.clone(), session.rotation_deg);
-        let answers = self.answers.entry(entry.id()).or_default();
-        let surface = answers.surface.get(key, || {
-            let turn = frame::cos_sin_deg(session.rotation_deg);
-            Box::new(Rotated::new(entry.material.build(), turn))
-        });
-        Held {
-            surface: Same(surface),
-            hold: session.hold,
-            theta_deg: session.theta_deg,
-            phi_deg: session.phi_deg,
-        }
-    }
-
-    /// The answer of `question`, or the last one; an empty one before the first.
-    fn ask<V: Default>(
-        &mut self,
-        session: &Session,
-        entry: &MaterialEntry,
-        question: impl FnOnce(&mut Answers, &mut Jobs, Held) -> Answer<V>,
-    ) -> Arc<V> {
-        let held = self.held(session, entry);
-        let answers = self.answers.entry(entry.id()).or_default();
-        let answer = question(answers, &mut self.jobs, held);
-        self.shown = self.shown.min(answer.detail);
-        answer.value.unwrap_or_default()
-    }
-}
-
-/// The section of a session's polar plot.
-#[must_use]
-pub fn section_request(session: &Session) -> polar::Request {
-    polar::Request {
-        phi: session.section_azimuth_deg().to_radians(),
-        with_cosine: session.with_cosine,
-        scale: session.scale,
-    }
 }
 
 #[cfg(test)]
@@ -258,7 +283,7 @@ mod tests {
         data.begin_frame(&session);
         let section = |data: &mut Data, session: &Session, index: usize| {
             let entry = session.materials.iter().nth(index).unwrap();
-            data.section(session, entry)
+            data.ask(session, entry, session.section_request())
         };
         let [first, second] = [0, 1].map(|index| section(&mut data, &session, index));
         assert_ne!(first, second);

@@ -4,8 +4,8 @@ use glam::DVec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Request, Vertex};
-use crate::analysis::Detail;
 use crate::analysis::lobe::{HeldLobe, Seeds};
+use crate::analysis::{Detail, IsWanted};
 
 /// Halvings of the octahedron's edges before the lobe is looked at: edges of 5.6 degrees.
 const UNIFORM_LEVELS: u32 = 4;
@@ -138,7 +138,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Halves edges until the mesh follows the lobe. `None` as soon as `is_wanted` says no.
-    pub(super) fn refine(&mut self, detail: Detail, is_wanted: &dyn Fn() -> bool) -> Option<()> {
+    pub(super) fn refine(&mut self, detail: Detail, is_wanted: IsWanted<'_>) -> Option<()> {
         let most = match detail {
             Detail::Coarse => MAX_COARSE_TRIANGLES,
             Detail::Full => MAX_TRIANGLES,

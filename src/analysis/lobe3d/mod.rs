@@ -6,9 +6,9 @@
 
 use glam::DVec3;
 
-use super::Detail;
 use super::lobe::HeldLobe;
 use super::scale::RadialScale;
+use super::{Detail, IsWanted, Question, Subject};
 use builder::Builder;
 
 mod builder;
@@ -77,6 +77,21 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
     2.0 * triple.atan2(1.0 + a.dot(b) + b.dot(c) + c.dot(a))
 }
 
+impl Question for Request {
+    type Answer = Mesh;
+
+    const FIRST: Detail = Detail::Coarse;
+
+    fn answer(
+        &self,
+        subject: &Subject<'_>,
+        detail: Detail,
+        is_wanted: IsWanted<'_>,
+    ) -> Option<Mesh> {
+        mesh_while(&subject.lobe, self, detail, is_wanted)
+    }
+}
+
 /// The mesh of `lobe` that `request` asks for: the hemispheres in which it is not 0.
 #[must_use]
 pub fn mesh(lobe: &HeldLobe<'_>, request: &Request) -> Mesh {
@@ -89,7 +104,7 @@ pub fn mesh_while(
     lobe: &HeldLobe<'_>,
     request: &Request,
     detail: Detail,
-    is_wanted: &dyn Fn() -> bool,
+    is_wanted: IsWanted<'_>,
 ) -> Option<Mesh> {
     let seeds = lobe.seeds();
     let mut whole = Mesh::default();

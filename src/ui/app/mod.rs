@@ -6,7 +6,7 @@ use super::commands::Command;
 use super::data::Data;
 use super::history::History;
 use super::jobs::Clock;
-use super::session::Session;
+use super::session::{SHARES, Session};
 use super::theme::{self, Palette};
 use super::tiles::ViewTiles;
 use super::views::{Cursor, ViewContext, ViewSpec, ViewState};
@@ -260,9 +260,8 @@ impl eframe::App for App {
         self.take_what_comes(ui.ctx());
         Panel::top("top").show(ui, |ui| self.show_top(ui));
         Panel::bottom("status").show(ui, |ui| {
-            let shares = self
-                .data
-                .shares(&self.session, self.session.materials.selected());
+            let selected = self.session.materials.selected();
+            let shares = self.data.ask(&self.session, selected, SHARES);
             // Panels are drawn before the views: the line shows the pointer of the frame before.
             let value = before.map(|cursor| cursor.value(&self.session, &mut self.data));
             status::show(

@@ -88,6 +88,17 @@ pub struct Answer<V> {
     pub detail: Option<Detail>,
 }
 
+impl<V> Answer<V> {
+    /// No answer yet.
+    #[must_use]
+    pub fn nothing() -> Self {
+        Self {
+            value: None,
+            detail: None,
+        }
+    }
+}
+
 impl<K, V> Slot<K, V>
 where
     K: PartialEq + Clone + Send + 'static,

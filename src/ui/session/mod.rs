@@ -14,6 +14,7 @@ mod entry;
 mod file;
 mod layout;
 mod materials;
+mod questions;
 mod stored;
 mod text;
 mod ties;
@@ -22,6 +23,7 @@ pub use entry::{EntryId, MaterialEntry, Slot};
 pub use file::VERSION;
 pub use layout::{Layout, Part, READY_LAYOUTS, ReadyLayout, ViewId};
 pub use materials::{MAX_MATERIALS, Materials};
+pub use questions::SHARES;
 pub use text::{MAX_TEXT, Opened, pasted, read};
 pub use ties::WIDTHS;
 

@@ -92,7 +92,7 @@ fn report(cx: &mut ViewContext<'_>) -> Report {
         (
             session.materials.title(entry),
             color,
-            Reading::of(&**surface, wo, wi),
+            Reading::of(&*surface.bxdf, wo, wi),
         )
     };
     Report {

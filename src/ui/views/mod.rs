@@ -127,7 +127,7 @@ impl Cursor {
     /// The value there: f in 1/sr (times the cosine, if shown so), per channel; its limit at the horizon.
     pub fn value(&self, session: &Session, data: &mut Data) -> [f64; 3] {
         let surface = data.surface(session, self.entry(session));
-        let lobe = HeldLobe::new(&**surface, session.hold, session.held());
+        let lobe = HeldLobe::new(&*surface.bxdf, session.hold, session.held());
         let cosine = if session.with_cosine {
             self.direction.z.abs()
         } else {

@@ -43,7 +43,7 @@ pub(super) fn requested(cx: &mut ViewContext<'_>) -> Vec<Requested> {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let request = |entry: &MaterialEntry| Requested {
         material: entry.id(),
-        mesh: Same(data.mesh(session, entry)),
+        mesh: Same(data.ask(session, entry, session.mesh_request())),
         arrows: Same(data.arrows(session, entry)),
     };
     session.materials.shown().map(request).collect()

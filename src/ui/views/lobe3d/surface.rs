@@ -292,7 +292,7 @@ mod tests {
             material: entry.id(),
             title: entry.title(),
             color: Color32::WHITE,
-            mesh: data.mesh(session, entry),
+            mesh: data.ask(session, entry, session.mesh_request()),
             arrows: data.arrows(session, entry),
         };
         Lobes::of(session.materials.shown().map(part).collect(), session)

@@ -6,7 +6,6 @@ use glam::DVec3;
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::polar;
-use crate::ui::data::section_request;
 use crate::ui::session::{MaterialEntry, Session, wrapped_deg};
 use crate::ui::theme::Dash;
 use crate::ui::widgets::draw;
@@ -126,7 +125,7 @@ fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
         Plotted {
             slot: entry.slot(),
             is_selected: entry.id() == selected,
-            section: data.section(session, entry),
+            section: data.ask(session, entry, session.section_request()),
             arrows: in_section.copied().collect(),
         }
     };
@@ -240,7 +239,7 @@ fn read_out(
     let slot = entry.slot();
     let cursor = Cursor {
         material: entry.id(),
-        direction: polar::direction(angle, section_request(cx.session).phi),
+        direction: polar::direction(angle, cx.session.section_request().phi),
     };
     let value = cursor.value(cx.session, cx.data);
     let painter = ui.painter_at(*transform.frame());
