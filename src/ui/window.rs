@@ -28,7 +28,7 @@ pub fn run() -> Result<()> {
         options,
         Box::new(|cc| {
             let mut app = App::new(cc, Session::default(), None, Some(platform::seconds));
-            app.work_on(Store::platform(), Box::new(Native::default()));
+            app.work_on(&cc.egui_ctx, Store::platform(), Box::new(Native::default()));
             Ok(Box::new(app))
         }),
     )

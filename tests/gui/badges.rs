@@ -12,7 +12,7 @@ use super::{material, picture, session, window, window_of};
 const TURQUIN: &str = "rough_conductor:alpha=1,fresnel=one,compensation=turquin";
 
 /// Creates energy, as declared.
-const BRIGHT: &str = "phong:diffuse=1,specular=1";
+pub const BRIGHT: &str = "phong:diffuse=1,specular=1";
 
 fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.get_by_label(label).click();

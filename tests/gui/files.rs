@@ -9,7 +9,7 @@ use std::sync::Arc;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::session::{MaterialEntry, Session};
 use brdf_explorer::ui::store::{Dialogs, Disk, Question, Store};
-use egui::{Event, Key, Modifiers, OutputCommand};
+use egui::{Event, Key, Modifiers, OutputCommand, ThemePreference};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -66,7 +66,8 @@ fn work_in(harness: &mut Harness<'_, App>, folder: &Folder) -> Rc<RefCell<Script
         open: None,
     };
     let store = Store::new(Box::new(Disk), Some(folder.file("data")));
-    harness.state_mut().work_on(store, Box::new(dialogs));
+    let ctx = harness.ctx.clone();
+    harness.state_mut().work_on(&ctx, store, Box::new(dialogs));
     harness.run();
     script
 }
@@ -268,4 +269,27 @@ fn pictures_and_tests_have_no_files() {
     press(&mut harness, Modifiers::COMMAND, Key::S);
     press(&mut harness, Modifiers::COMMAND, Key::O);
     assert!(harness.query_by_label("Dismiss").is_none());
+}
+
+#[test]
+fn the_theme_is_the_systems_until_one_is_chosen_and_then_kept() {
+    let folder = Folder::new("theme");
+    let preference = |harness: &Harness<'_, App>| {
+        let options = |options: &egui::Options| options.theme_preference;
+        harness.ctx.options(options)
+    };
+    let mut harness = window_of(&["gold"]);
+    work_in(&mut harness, &folder);
+    assert_eq!(preference(&harness), ThemePreference::System);
+    for (name, chosen) in [
+        ("Light theme", ThemePreference::Light),
+        ("Dark theme", ThemePreference::Dark),
+        ("System theme", ThemePreference::System),
+    ] {
+        harness.get_by_label(name).click();
+        harness.run();
+        let mut other = window_of(&["gold"]);
+        work_in(&mut other, &folder);
+        assert_eq!(preference(&other), chosen);
+    }
 }

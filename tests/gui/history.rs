@@ -157,3 +157,21 @@ fn a_text_field_has_its_own_undo() {
     press(&mut harness, Modifiers::COMMAND, Key::Z);
     assert_eq!(edits(&harness), before);
 }
+
+#[test]
+fn keys_that_move_one_control_in_a_row_are_one_step() {
+    let mut harness = window("rough_conductor");
+    let start = edits(&harness);
+    harness
+        .get_by_role_and_label(Role::Slider, "Alpha x")
+        .focus();
+    harness.run();
+    for _ in 0..5 {
+        press(&mut harness, Modifiers::NONE, Key::ArrowRight);
+    }
+    let moved = edits(&harness);
+    assert_ne!(moved, start);
+    click(&mut harness, "Undo");
+    assert_eq!(edits(&harness), start);
+    assert!(is_disabled(&harness, "Undo"));
+}

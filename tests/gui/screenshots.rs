@@ -5,6 +5,7 @@
 
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
+use brdf_explorer::ui::session::READY_LAYOUTS;
 use brdf_explorer::ui::views::VIEWS;
 use eframe::egui_wgpu::wgpu;
 use egui::{Key, Modifiers, Theme};
@@ -39,15 +40,19 @@ const EIGHT: [&str; 8] = [
     "brushed_steel",
 ];
 
-/// Pictures of the whole window: name, materials, size in points, pixels per point.
-type Window = (&'static str, &'static [&'static str], [u32; 2], f32);
+/// A comparison with a material that breaks a law and one that is a sum of lobes.
+const COMPARED: [&str; 3] = ["car_paint", super::badges::BRIGHT, "rough_conductor"];
+
+/// Pictures of the whole window: name, materials, ready layout, size in points, pixels per point.
+type Window = (&'static str, &'static [&'static str], usize, [u32; 2], f32);
 
 /// The start, the named materials with one of several lobes chosen, and comparisons in every size that must do.
-const WINDOWS: [Window; 4] = [
-    ("window", &["rough_conductor"], [1280, 800], 1.0),
-    ("materials", &["car_paint"], [1280, 800], 1.0),
-    ("three", &THREE, [1280, 800], 1.0),
-    ("eight", &EIGHT, [1024, 640], 2.0),
+const WINDOWS: [Window; 5] = [
+    ("window", &["rough_conductor"], 0, [1280, 800], 1.0),
+    ("materials", &["car_paint"], 0, [1280, 800], 1.0),
+    ("three", &THREE, 0, [1280, 800], 1.0),
+    ("eight", &EIGHT, 0, [1024, 640], 2.0),
+    ("compare", &COMPARED, 1, [1024, 640], 1.0),
 ];
 
 /// The limit on the stored pictures, all together.
@@ -95,10 +100,12 @@ fn pictures_are_as_stored() {
     }
     let mut results = SnapshotResults::new();
     for (theme_name, theme) in THEMES {
-        for (name, shown, size, scale) in WINDOWS {
+        for (name, shown, layout, size, scale) in WINDOWS {
+            let mut shown = session(shown);
+            shown.layout = (READY_LAYOUTS[layout].layout)();
             let window = Picture {
                 scale,
-                ..picture(session(shown), None, size, theme)
+                ..picture(shown, None, size, theme)
             };
             compare(&mut results, &format!("{name}_{theme_name}"), window);
         }

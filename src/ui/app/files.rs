@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use egui::{Align2, Context, Event, Ui};
+use egui::{Align2, Context, Event, ThemePreference, Ui};
 
 use super::App;
 use crate::error::{Error, Result};
 use crate::ui::commands::{COMMANDS, Command, Group, OPEN};
 use crate::ui::session::{self, Opened};
-use crate::ui::store::{Dialogs, Question, Store};
+use crate::ui::store::{ChosenTheme, Dialogs, Question, Store};
 
 /// How often an open dialog is looked at, in seconds.
 const DIALOG_POLL: f64 = 0.1;
@@ -28,7 +28,12 @@ pub struct Files {
 impl App {
     /// Works on files from here on, and goes on with the session of the last run, if there is one. Pictures and tests
     /// have no files unless they are given some.
-    pub fn work_on(&mut self, mut store: Store, dialogs: Box<dyn Dialogs>) {
+    pub fn work_on(&mut self, ctx: &Context, mut store: Store, dialogs: Box<dyn Dialogs>) {
+        ctx.set_theme(match store.theme() {
+            None => ThemePreference::System,
+            Some(ChosenTheme::Dark) => ThemePreference::Dark,
+            Some(ChosenTheme::Light) => ThemePreference::Light,
+        });
         let (restored, problem) = store.restore();
         if let Some(session) = restored {
             self.restart(session);
@@ -180,9 +185,16 @@ impl App {
         }
     }
 
-    /// Keeps the session for the next run, a moment after it has changed.
+    /// Keeps the theme for the next run, and the session a moment after it has changed.
     pub(super) fn keep(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
+        files
+            .store
+            .keep_theme(match ctx.options(|options| options.theme_preference) {
+                ThemePreference::System => None,
+                ThemePreference::Dark => Some(ChosenTheme::Dark),
+                ThemePreference::Light => Some(ChosenTheme::Light),
+            });
         let now = ctx.input(|input| input.time);
         let kept = files.store.keep(&self.session, now);
         if let Some(Some(seconds)) = self.notice.report(kept) {

@@ -1,6 +1,6 @@
 //! The window: panels around the views.
 
-use egui::{Align, CentralPanel, Context, Layout, Panel, RichText, ScrollArea, Ui};
+use egui::{Align, CentralPanel, Context, Event, Key, Layout, Panel, RichText, ScrollArea, Ui};
 
 use super::commands::Command;
 use super::data::Data;
@@ -23,6 +23,16 @@ use files::Files;
 
 mod files;
 
+/// Keys that change the value of a control a little at a time.
+const MOVING_OR_TYPING: [Key; 6] = [
+    Key::ArrowLeft,
+    Key::ArrowRight,
+    Key::ArrowUp,
+    Key::ArrowDown,
+    Key::Backspace,
+    Key::Delete,
+];
+
 /// The application.
 pub struct App {
     /// What is on the screen.
@@ -40,7 +50,7 @@ pub struct App {
     files: Option<Files>,
     search: Option<Search>,
     is_help_shown: bool,
-    tiles: ViewTiles,
+    tiles: Option<ViewTiles>,
 }
 
 impl App {
@@ -75,7 +85,7 @@ impl App {
             files: None,
             search: None,
             is_help_shown: false,
-            tiles: ViewTiles::default(),
+            tiles: None,
         }
     }
 
@@ -229,11 +239,11 @@ impl App {
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
         let mut layout = self.session.layout.clone();
-        let mut tiles = std::mem::take(&mut self.tiles);
+        let mut tiles = self.tiles.take().unwrap_or_default();
         tiles.show(ui, &mut layout, &mut |ui, view| {
             self.show_view(ui, view, palette);
         });
-        self.tiles = tiles;
+        self.tiles = Some(tiles);
         self.session.layout = layout;
     }
 }
@@ -284,8 +294,8 @@ impl eframe::App for App {
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
         self.show_windows(ui.ctx());
-        let dragged = ui.ctx().dragged_id().or(ui.ctx().drag_stopped_id());
-        self.history.record(&self.session, dragged);
+        self.history
+            .record(&self.session, control_at_work(ui.ctx()));
         self.keep(ui.ctx());
         if self.cursor != before {
             ui.ctx().request_repaint();
@@ -295,4 +305,17 @@ impl eframe::App for App {
     fn on_exit(&mut self) {
         self.keep_now();
     }
+}
+
+/// The control whose edits are one step together: the one that is dragged, or the one that has the keyboard while keys
+/// that move or type are pressed.
+fn control_at_work(ctx: &Context) -> Option<egui::Id> {
+    let dragged = ctx.dragged_id().or(ctx.drag_stopped_id());
+    let is_key = |event: &Event| match event {
+        Event::Text(_) => true,
+        Event::Key { key, pressed, .. } => *pressed && MOVING_OR_TYPING.contains(key),
+        _ => false,
+    };
+    let is_keyed = ctx.input(|input| input.events.iter().any(is_key));
+    dragged.or_else(|| ctx.memory(egui::Memory::focused).filter(|_| is_keyed))
 }

@@ -106,7 +106,7 @@ pub static READY_LAYOUTS: [ReadyLayout; 2] = [
             let above = Layout::row(vec![Layout::view("polar"), Layout::view("lobe3d")]);
             Layout::Column(vec![
                 Part {
-                    share: 2.2,
+                    share: 1.6,
                     place: above,
                 },
                 Part {

@@ -68,7 +68,13 @@ impl Files for Disk {
     }
 
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
-        std::fs::rename(from, to)
+        std::fs::rename(from, to)?;
+        // The name is on the disk when its folder is; where folders cannot be synced there is no more to be done.
+        #[cfg(unix)]
+        if let Some(Ok(folder)) = to.parent().map(std::fs::File::open) {
+            let _ = folder.sync_all();
+        }
+        Ok(())
     }
 
     fn remove(&self, path: &Path) -> io::Result<()> {

@@ -24,8 +24,8 @@ pub const MAX_FILE: u64 = 1 << 20;
 /// The session of the last run, in the folder of the program's data.
 const LAST_SESSION: &str = "session.toml";
 
-/// The list of the files opened last, beside it.
-const RECENT: &str = "recent.toml";
+/// The files opened last and the theme chosen, beside it.
+const PREFERENCES: &str = "preferences.toml";
 
 /// How many recent files are kept.
 const MAX_RECENT: usize = 8;
@@ -33,10 +33,24 @@ const MAX_RECENT: usize = 8;
 /// How long an edit may stay unsaved, in seconds: what a crash costs at most.
 const DELAY: f64 = 1.0;
 
-/// The files opened last, as they stand in their list.
-#[derive(Default, Serialize, Deserialize)]
-struct Recent {
-    files: Vec<PathBuf>,
+/// A theme that was chosen, whatever the system has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ChosenTheme {
+    /// Light on dark.
+    Dark,
+    /// Dark on light.
+    Light,
+}
+
+/// What belongs to the person, not to a session.
+#[derive(Clone, Default, Serialize, Deserialize)]
+#[serde(default)]
+struct Preferences {
+    /// The files opened last, the latest first.
+    recent: Vec<PathBuf>,
+    /// The theme; the system's where none is chosen.
+    theme: Option<ChosenTheme>,
 }
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
@@ -44,7 +58,7 @@ pub struct Store {
     files: Box<dyn Files>,
     /// Where the program keeps its own.
     folder: Option<PathBuf>,
-    recent: Vec<PathBuf>,
+    preferences: Preferences,
     /// The session as it was last kept for the next run.
     kept: Option<Session>,
     /// When the session was first seen to differ from it, in the time of the window.
@@ -58,11 +72,11 @@ impl Store {
         let mut store = Self {
             files,
             folder,
-            recent: Vec::new(),
+            preferences: Preferences::default(),
             kept: None,
             changed_at: None,
         };
-        store.recent = store.read_recent();
+        store.preferences = store.read_preferences();
         store
     }
 
@@ -153,7 +167,21 @@ impl Store {
     /// The files opened or saved last, the latest first.
     #[must_use]
     pub fn recent(&self) -> &[PathBuf] {
-        &self.recent
+        &self.preferences.recent
+    }
+
+    /// The theme that was chosen last; the system's where there is none.
+    #[must_use]
+    pub fn theme(&self) -> Option<ChosenTheme> {
+        self.preferences.theme
+    }
+
+    /// Keeps the theme that is chosen.
+    pub fn keep_theme(&mut self, theme: Option<ChosenTheme>) {
+        if self.preferences.theme != theme {
+            self.preferences.theme = theme;
+            self.keep_preferences();
+        }
     }
 
     fn own(&self, name: &str) -> Option<PathBuf> {
@@ -211,27 +239,30 @@ impl Store {
         })
     }
 
-    fn read_recent(&self) -> Vec<PathBuf> {
-        // A list that is missing or broken is an empty one: nothing but convenience is lost.
-        let text = self.own(RECENT).and_then(|path| self.text(&path).ok());
-        let recent: Recent = text
+    fn read_preferences(&self) -> Preferences {
+        // Where they are missing or broken there are none: nothing but convenience is lost.
+        let text = self.own(PREFERENCES).and_then(|path| self.text(&path).ok());
+        let mut read: Preferences = text
             .and_then(|text| toml::from_str(&text).ok())
             .unwrap_or_default();
-        recent.files.into_iter().take(MAX_RECENT).collect()
+        read.recent.truncate(MAX_RECENT);
+        read
     }
 
     fn remember(&mut self, path: &Path) {
-        self.recent.retain(|other| other != path);
-        self.recent.insert(0, path.to_owned());
-        self.recent.truncate(MAX_RECENT);
-        let recent = Recent {
-            files: self.recent.clone(),
-        };
-        if let (Some(list), Ok(text)) = (self.own(RECENT), toml::to_string(&recent))
+        let recent = &mut self.preferences.recent;
+        recent.retain(|other| other != path);
+        recent.insert(0, path.to_owned());
+        recent.truncate(MAX_RECENT);
+        self.keep_preferences();
+    }
+
+    fn keep_preferences(&self) {
+        if let (Some(path), Ok(text)) = (self.own(PREFERENCES), toml::to_string(&self.preferences))
             && self.make_own_folder().is_ok()
         {
-            // A list that cannot be kept is forgotten with the program.
-            let _ = self.files.write(&list, text.as_bytes());
+            // What cannot be kept is forgotten with the program.
+            let _ = self.files.write(&path, text.as_bytes());
         }
     }
 }

@@ -273,6 +273,6 @@ fn the_files_used_last_are_remembered() {
     assert_eq!(again.recent(), store.recent());
     assert_eq!(again.recent().len(), MAX_RECENT);
     assert_eq!(again.recent()[..2], [paths[4].clone(), paths[9].clone()]);
-    fs::write(folder.file(RECENT), "files = 3").unwrap();
+    fs::write(folder.file(PREFERENCES), "recent = 3").unwrap();
     assert!(folder.store().recent().is_empty());
 }

@@ -8,8 +8,8 @@ use glam::DVec3;
 use super::{ViewContext, ViewSpec};
 use crate::analysis::Hold;
 use crate::analysis::inspector::{HalfDifference, Reading, Spherical, half_difference};
-use crate::ui::format;
 use crate::ui::widgets::draw;
+use crate::ui::{format, theme};
 
 /// The list entry.
 pub(super) const SPEC: ViewSpec = ViewSpec {
@@ -56,24 +56,27 @@ struct Report {
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let report = report(cx);
-    ScrollArea::both()
-        .auto_shrink([false, false])
-        .show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                for (name, w) in report.angles() {
-                    ui.label(RichText::new(name.0).strong())
-                        .on_hover_text(name.1);
-                    let text = w.map_or_else(|| "-".to_owned(), spherical);
-                    ui.label(text);
-                    ui.add_space(8.0);
-                }
-                let hint = "Copy the table as comma-separated values, with all digits";
-                if ui.small_button("Copy").on_hover_text(hint).clicked() {
-                    ui.ctx().copy_text(report.csv());
-                }
+    let area = ScrollArea::both().auto_shrink([false, false]);
+    area.show(ui, |ui| {
+        egui::Frame::NONE
+            .inner_margin(theme::TILE_MARGIN)
+            .show(ui, |ui| {
+                ui.horizontal_wrapped(|ui| {
+                    for (name, w) in report.angles() {
+                        ui.label(RichText::new(name.0).strong())
+                            .on_hover_text(name.1);
+                        let text = w.map_or_else(|| "-".to_owned(), spherical);
+                        ui.label(text);
+                        ui.add_space(8.0);
+                    }
+                    let hint = "Copy the table as comma-separated values, with all digits";
+                    if ui.small_button("Copy").on_hover_text(hint).clicked() {
+                        ui.ctx().copy_text(report.csv());
+                    }
+                });
+                table(ui, &report);
             });
-            table(ui, &report);
-        });
+    });
 }
 
 /// The readings at the cursor; at the mirror direction before anything was pointed at.
