@@ -7,12 +7,14 @@ pub mod lobe3d;
 pub mod polar;
 pub mod quadrature;
 pub mod question;
+pub mod raster;
 pub mod reflectance;
 pub mod scale;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
 pub use question::{IsWanted, Question, Subject};
+pub use raster::Raster;
 pub use scale::{Channel, RadialScale};
 
 /// How carefully something is computed.

@@ -12,6 +12,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
+use super::Raster;
 use crate::bxdf::math::Vec3;
 use crate::bxdf::{Bxdf, Side};
 
@@ -43,14 +44,8 @@ const RADIUS: f64 = 0.96;
 /// The golden ratio's fractional part: its multiples spread evenly over [0, 1).
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
-/// A square picture.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
-    /// Pixels along each side.
-    pub side: usize,
-    /// Row by row from the upper left: linear R, G, B, and the share of the pixel that the sphere covers, 0..1.
-    pub pixels: Vec<[f64; 4]>,
-}
+/// A square picture: linear R, G, B, and the share of the pixel that the sphere covers, 0..1.
+pub type Picture = Raster<[f64; 4]>;
 
 /// The picture of a sphere of `bxdf`, `side` pixels wide; `relative_index`: that below the surface over that above.
 #[must_use]
@@ -78,7 +73,8 @@ pub fn sphere(bxdf: &dyn Bxdf<f64>, relative_index: f64, side: usize) -> Picture
         [r, g, b, coverage]
     });
     Picture {
-        side,
+        width: side,
+        height: side,
         pixels: pixels.collect(),
     }
 }
