@@ -1,5 +1,6 @@
 //! What each view shows, as data: one file per view, without a window.
 
+pub mod half_difference;
 pub mod inspector;
 pub mod isotropy;
 pub mod lobe;

@@ -7,7 +7,10 @@ use glam::DVec3;
 
 use super::{ViewContext, ViewSpec};
 use crate::analysis::Hold;
+use crate::analysis::half_difference::{HalfDifference, Spherical, half_difference};
+use crate::analysis::inspector::Reading;
 use crate::analysis::inspector::{HalfDifference, Reading, Spherical, half_difference};
+use crate::ui::format;
 use crate::ui::widgets::draw;
 use crate::ui::{format, theme};
 

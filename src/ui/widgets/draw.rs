@@ -6,7 +6,7 @@ use egui::{
 };
 
 use crate::analysis::Channel;
-use crate::analysis::inspector::Spherical;
+use crate::analysis::half_difference::Spherical;
 use crate::ui::format;
 use crate::ui::session::{Curves, Session};
 use crate::ui::theme::{self, Dash, HANDLE_RADIUS, Palette};
