@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Directions, Job, Path};
 use crate::bxdf::{Bxdf, Lobe, Side};
 
 /// Which of the two directions is held while the lobe is drawn over the other.
@@ -74,34 +74,29 @@ impl<'a> HeldLobe<'a> {
     /// f in 1/sr with the unit vector `free` as the other direction.
     #[must_use]
     pub fn value(&self, free: DVec3) -> [f64; 3] {
+        let (wo, wi) = self.pair(free);
+        self.bxdf.f(wo.into(), wi.into()).to_f64()
+    }
+
+    /// The pair (wo, wi) with the unit vector `free` as the other direction.
+    #[must_use]
+    pub fn pair(&self, free: DVec3) -> (DVec3, DVec3) {
         match self.hold {
-            Hold::Light => self.bxdf.f(free.into(), self.held.into()),
-            Hold::Viewer => self.bxdf.f(self.held.into(), free.into()),
+            Hold::Light => (free, self.held),
+            Hold::Viewer => (self.held, free),
         }
-        .to_f64()
     }
 
     /// [`Self::value`], or its limit from the side `is_upper` where `free` lies in the horizon plane.
     #[must_use]
     pub fn value_or_limit(&self, free: DVec3, is_upper: bool) -> [f64; 3] {
-        if free.z.abs() < HORIZON_LIFT {
-            let z = if is_upper {
-                HORIZON_LIFT
-            } else {
-                -HORIZON_LIFT
-            };
-            self.value(DVec3::new(free.x, free.y, z))
-        } else {
-            self.value(free)
-        }
+        self.value(off_horizon(free, is_upper))
     }
 
     /// [`Self::value_or_limit`] for all directions of `free`.
     #[must_use]
     pub fn values_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<[f64; 3]> {
-        let lift = HORIZON_LIFT.copysign(if is_upper { 1.0 } else { -1.0 });
-        let height = |w: &DVec3| if w.z.abs() < HORIZON_LIFT { lift } else { w.z };
-        let (x, y, z) = components(free.iter().map(|w| DVec3::new(w.x, w.y, height(w))));
+        let (x, y, z) = components(free.iter().map(|w| off_horizon(*w, is_upper)));
         let free = [&x[..], &y, &z];
         let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; free[0].len()]);
         let held = held.each_ref().map(Vec::as_slice);
@@ -109,10 +104,7 @@ impl<'a> HeldLobe<'a> {
             Hold::Light => (free, held),
             Hold::Viewer => (held, free),
         };
-        let mut channels = [(); 3].map(|()| vec![0.0; x.len()]);
-        let f = channels.each_mut().map(Vec::as_mut_slice);
-        self.bxdf.batch(Path::Dispatched, Job::F { wo, wi, f });
-        triples(&channels)
+        values(self.bxdf, wo, wi)
     }
 
     /// The Dirac deltas, by the flux they carry.
@@ -190,6 +182,35 @@ pub struct Drawn {
     /// f |cos(theta)| / pdf of the lobe alone, per channel; 0 where the direction is lost. Over the unit square it
     /// integrates to the integral of the lobe's f |cos(theta)| over the sphere.
     pub weights: Vec<[f64; 3]>,
+}
+
+/// `w`, or what stands for it where it lies in the horizon plane: just above it, or just below.
+#[must_use]
+pub fn off_horizon(w: DVec3, is_upper: bool) -> DVec3 {
+    if w.z.abs() < HORIZON_LIFT {
+        let lift = HORIZON_LIFT.copysign(if is_upper { 1.0 } else { -1.0 });
+        DVec3::new(w.x, w.y, lift)
+    } else {
+        w
+    }
+}
+
+/// f of `bxdf` in 1/sr at all `pairs` of unit vectors (wo, wi).
+#[must_use]
+pub fn pair_values(bxdf: &dyn Bxdf<f64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
+    let [wo, wi] = [
+        components(pairs.iter().map(|pair| pair.0)),
+        components(pairs.iter().map(|pair| pair.1)),
+    ];
+    values(bxdf, [&wo.0, &wo.1, &wo.2], [&wi.0, &wi.1, &wi.2])
+}
+
+/// f of `bxdf` at all pairs of `wo` and `wi`.
+fn values(bxdf: &dyn Bxdf<f64>, wo: Directions<'_, f64>, wi: Directions<'_, f64>) -> Vec<[f64; 3]> {
+    let mut channels = [(); 3].map(|()| vec![0.0; wo[0].len()]);
+    let f = channels.each_mut().map(Vec::as_mut_slice);
+    bxdf.batch(Path::Dispatched, Job::F { wo, wi, f });
+    triples(&channels)
 }
 
 /// The components of vectors.

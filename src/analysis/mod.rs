@@ -1,5 +1,6 @@
 //! What each view shows, as data: one file per view, without a window.
 
+pub mod cartesian;
 pub mod half_difference;
 pub mod inspector;
 pub mod isotropy;
@@ -8,6 +9,7 @@ pub mod lobe3d;
 pub mod polar;
 pub mod quadrature;
 pub mod question;
+mod refine;
 pub mod raster;
 pub mod reflectance;
 pub mod scale;

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::DVec3;
 
 use super::lobe::HeldLobe;
+use super::refine::{CHORD_TOLERANCE, first_places, refine};
 use super::scale::RadialScale;
 use super::{Detail, IsWanted, Question, Subject};
 use crate::bxdf::math::frame;
@@ -77,16 +78,7 @@ pub fn signed_angle(w: DVec3, phi: f64) -> f64 {
 }
 
 /// Spacing of the uniform grid under the adaptive one.
-const UNIFORM_STEP_DEG: f64 = 1.5;
-
-/// A chord may leave the curve by this much of the plot's radius: a third of a pixel at 300 pixels radius.
-const CHORD_TOLERANCE: f64 = 1e-3;
-
-/// Intervals narrower than this are not halved: two thousand times finer than the narrowest lobe.
-const NARROWEST: f64 = 5e-8;
-
-/// The curve stops growing at this many points; a lobe needs some hundreds.
-const MAX_POINTS: usize = 20_000;
+pub(super) const UNIFORM_STEP_DEG: f64 = 1.5;
 
 /// The section of `lobe` that `request` asks for.
 ///
@@ -94,14 +86,7 @@ const MAX_POINTS: usize = 20_000;
 /// the largest value is within a thousandth of the lobe's largest in the section, however narrow the lobe.
 #[must_use]
 pub fn section(lobe: &HeldLobe<'_>, request: &Request) -> Section {
-    let held = signed_angle(lobe.held(), request.phi);
-    let mut angles = vec![held, -held];
-    angles.extend(
-        lobe.seeds()
-            .directions
-            .iter()
-            .map(|seed| signed_angle(*seed, request.phi)),
-    );
+    let angles = seed_angles(lobe, request.phi);
     let upper = arc(lobe, request, &angles, true);
     let lower = arc(lobe, request, &angles, false);
     let peak = upper
@@ -112,19 +97,21 @@ pub fn section(lobe: &HeldLobe<'_>, request: &Request) -> Section {
     Section { upper, lower, peak }
 }
 
+/// Where the lobe is known to be: the signed angles of its own samples in the section at azimuth `phi`, of the held
+/// direction, and of its mirror image.
+pub(super) fn seed_angles(lobe: &HeldLobe<'_>, phi: f64) -> Vec<f64> {
+    let held = signed_angle(lobe.held(), phi);
+    let seeds = lobe.seeds().directions.into_iter();
+    let seeds = seeds.map(|seed| signed_angle(seed, phi));
+    [held, -held].into_iter().chain(seeds).collect()
+}
+
 /// One arc, above or below: its places are -pi/2..pi/2, counted from n or -n. `angles`: where the lobe is known to be.
 fn arc(lobe: &HeldLobe<'_>, request: &Request, angles: &[f64], is_upper: bool) -> Vec<Point> {
     let angle_of = |place: f64| if is_upper { place } else { lower_angle(place) };
-    let steps = (180.0 / UNIFORM_STEP_DEG) as i32;
-    let uniform = (0..=steps).map(|i| PI * (f64::from(i) / f64::from(steps) - 0.5));
-    let mut places: Vec<f64> = angles
-        .iter()
-        .map(|a| angle_of(*a))
-        .filter(|a| a.abs() < FRAC_PI_2)
-        .chain(uniform)
-        .collect();
-    places.sort_by(f64::total_cmp);
-    places.dedup_by(|a, b| *a - *b < NARROWEST);
+    let steps = (180.0 / UNIFORM_STEP_DEG) as u32;
+    let known = angles.iter().map(|angle| angle_of(*angle));
+    let places = first_places([-FRAC_PI_2, FRAC_PI_2], steps, known);
     let at = |places: &[f64]| {
         let directions = places
             .iter()
@@ -134,10 +121,19 @@ fn arc(lobe: &HeldLobe<'_>, request: &Request, angles: &[f64], is_upper: bool) -
         let shown = values.into_iter().zip(directions);
         shown.map(|(f, w)| request.shown(f, w)).collect::<Vec<_>>()
     };
-    let values = at(&places);
-    let curve = places.into_iter().zip(values).collect();
-    let curve = refine(curve, &at, request.scale);
-    if curve.iter().all(|(_, value)| largest(*value) == 0.0) {
+    let peak_of = |curve: &[(f64, [f64; 3])]| {
+        let values = curve.iter().map(|(_, value)| largest(*value));
+        Some(values.fold(0.0, f64::max)).filter(|peak| *peak > 0.0)
+    };
+    let is_good = |peak: &f64, points: [&(f64, [f64; 3]); 3]| {
+        let [[ax, ay], [mx, my], [bx, by]] = points.map(|(place, value)| {
+            let radius = request.scale.radius(largest(*value), *peak);
+            [radius * place.sin(), radius * place.cos()]
+        });
+        (mx - f64::midpoint(ax, bx)).hypot(my - f64::midpoint(ay, by)) <= CHORD_TOLERANCE
+    };
+    let curve = refine(places, &[0.5], at, peak_of, is_good);
+    if peak_of(&curve).is_none() {
         return Vec::new();
     }
     curve
@@ -156,74 +152,6 @@ fn lower_angle(place: f64) -> f64 {
 
 fn largest(value: [f64; 3]) -> f64 {
     value.into_iter().fold(0.0, f64::max)
-}
-
-/// Halves the intervals of `curve` (places and values, by place) until its chords follow it; `at` gives the values at
-/// many places.
-fn refine(
-    curve: Vec<(f64, [f64; 3])>,
-    at: &impl Fn(&[f64]) -> Vec<[f64; 3]>,
-    scale: RadialScale,
-) -> Vec<(f64, [f64; 3])> {
-    let mut curve = curve;
-    // By index of its first end: whether an interval's chord has been found good. A later round, with a larger peak,
-    // only makes it better.
-    let mut is_settled = vec![false; curve.len()];
-    loop {
-        let peak = curve
-            .iter()
-            .map(|(_, value)| largest(*value))
-            .fold(0.0, f64::max);
-        if peak == 0.0 || curve.len() > MAX_POINTS {
-            return curve;
-        }
-        let end = |place: f64, value: [f64; 3]| {
-            let radius = scale.radius(largest(value), peak);
-            [radius * place.sin(), radius * place.cos()]
-        };
-        let is_open = |[a, b]: [f64; 2], was_settled: bool| !was_settled && b - a >= NARROWEST;
-        let middles: Vec<f64> = curve
-            .windows(2)
-            .zip(&is_settled)
-            .filter_map(|(pair, was_settled)| match pair {
-                [(a, _), (b, _)] if is_open([*a, *b], *was_settled) => Some(f64::midpoint(*a, *b)),
-                _ => None,
-            })
-            .collect();
-        let mut looked_at = at(&middles).into_iter();
-        let (mut finer, mut settled) = (
-            Vec::with_capacity(2 * curve.len()),
-            Vec::with_capacity(2 * curve.len()),
-        );
-        for (pair, was_settled) in curve.windows(2).zip(&is_settled) {
-            let &[(a, value_a), (b, value_b)] = pair else {
-                continue;
-            };
-            finer.push((a, value_a));
-            if !is_open([a, b], *was_settled) {
-                settled.push(true);
-                continue;
-            }
-            let middle = f64::midpoint(a, b);
-            let value = looked_at.next().unwrap_or_default();
-            let ([ax, ay], [bx, by], [mx, my]) =
-                (end(a, value_a), end(b, value_b), end(middle, value));
-            let gap = (mx - f64::midpoint(ax, bx)).hypot(my - f64::midpoint(ay, by));
-            let is_good = gap <= CHORD_TOLERANCE;
-            settled.push(is_good);
-            if !is_good {
-                finer.push((middle, value));
-                settled.push(false);
-            }
-        }
-        finer.extend(curve.last());
-        settled.push(true);
-        let is_done = finer.len() == curve.len();
-        (curve, is_settled) = (finer, settled);
-        if is_done {
-            return curve;
-        }
-    }
 }
 
 /// The value of `lobe` at signed angle `angle` of the section, or its limit at the horizon: what the curve shows and a
