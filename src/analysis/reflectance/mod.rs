@@ -7,6 +7,10 @@ use super::quadrature::{Integral, integrate_square};
 use super::{Detail, IsWanted, Question, Subject};
 use crate::bxdf::{Bxdf, Category, Lobe, Side};
 
+pub use curve::{Curve, CurveRequest, GRAZING_DEG, Hemispherical, Row};
+
+mod curve;
+
 /// What becomes of the light arriving along one direction, per channel, as shares of its flux.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Reflectance {
