@@ -10,6 +10,7 @@ pub mod lobe3d;
 pub mod polar;
 pub mod quadrature;
 pub mod question;
+pub mod raster;
 mod refine;
 pub mod raster;
 pub mod reflectance;
