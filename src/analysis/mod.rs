@@ -15,6 +15,7 @@ mod refine;
 pub mod raster;
 pub mod reflectance;
 pub mod scale;
+pub mod slice;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
