@@ -185,9 +185,10 @@ fn nodes(([angles, azimuths], rule): ([usize; 2], usize)) -> impl Iterator<Item 
     let angles = gauss_legendre(angles).into_iter();
     angles.flat_map(move |(x, weight)| {
         let mu = 0.5 * (1.0 + x);
+        let theta = (1.0 - mu * mu).sqrt().atan2(mu);
         (0..azimuths).map(move |index| Node {
             rule,
-            theta_deg: mu.acos().to_degrees(),
+            theta_deg: theta.to_degrees(),
             phi_deg: 360.0 * (index as f64 / azimuths as f64),
             // 2 mu dmu over 0..1.
             weight: weight * mu / azimuths as f64,
