@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::DVec3;
 
 use super::half_difference::{HalfDifference, Spherical, half_difference, pair};
-use super::lobe::{HeldLobe, pair_values};
+use super::lobe::{HeldLobe, off_horizon, pair_values};
 use super::polar::{UNIFORM_STEP_DEG, direction, seed_angles};
 use super::refine::{Curve as Places, MIDDLE_AND_BESIDE, first_places, is_on_chord, peaks, refine};
 use super::{Detail, IsWanted, Question, RadialScale, Subject};
@@ -224,24 +224,21 @@ impl<'a> Plot<'a> {
 
     /// What is shown at `places`, in radians.
     fn values(&self, places: &[f64], is_upper: bool) -> Vec<[f64; 3]> {
-        let pair = |place: &f64| self.request.pair_at(&self.lobe, place.to_degrees());
-        let free_of = |place: &f64| direction(*place, self.request.phi);
-        let (cosines, own, other): (Vec<f64>, Vec<[f64; 3]>, Option<Vec<[f64; 3]>>) =
-            match self.request.abscissa {
-                Abscissa::Free => {
-                    let free: Vec<DVec3> = places.iter().map(free_of).collect();
-                    let of = |lobe: &HeldLobe<'_>| lobe.values_or_limits(&free, is_upper);
-                    let cosines = free.iter().map(|w| w.z.abs()).collect();
-                    (cosines, of(&self.lobe), self.against.as_ref().map(of))
-                }
-                Abscissa::Half | Abscissa::Difference => {
-                    let pairs: Vec<_> = places.iter().map(pair).collect();
-                    let of = |lobe: &HeldLobe<'_>| pair_values(lobe.surface(), &pairs);
-                    let cosines = pairs.iter().map(|(wo, _)| wo.z.abs()).collect();
-                    (cosines, of(&self.lobe), self.against.as_ref().map(of))
-                }
-            };
-        let mut values = own;
+        let place = |angle: &f64| match self.request.abscissa {
+            Abscissa::Free => {
+                let free = direction(*angle, self.request.phi);
+                let pair = self.lobe.pair(off_horizon(free, is_upper));
+                (pair, free.z.abs())
+            }
+            Abscissa::Half | Abscissa::Difference => {
+                let pair = self.request.pair_at(&self.lobe, angle.to_degrees());
+                (pair, pair.0.z.abs())
+            }
+        };
+        let (pairs, cosines): (Vec<_>, Vec<f64>) = places.iter().map(place).unzip();
+        let mut values = pair_values(self.lobe.surface(), &pairs);
+        let against = self.against;
+        let other = against.map(|against| pair_values(against.surface(), &pairs));
         for (value, other) in values.iter_mut().zip(other.iter().flatten()) {
             value.iter_mut().zip(other).for_each(|(a, b)| *a -= b);
         }
