@@ -12,7 +12,6 @@ pub mod quadrature;
 pub mod question;
 pub mod raster;
 mod refine;
-pub mod raster;
 pub mod reflectance;
 pub mod scale;
 pub mod slice;
