@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::quadrature::{Integral, integrate_square};
 use crate::bxdf::batch::{Directions, Job, Path};
 use crate::bxdf::{Bxdf, Lobe, Side};
 
@@ -96,7 +97,7 @@ impl<'a> HeldLobe<'a> {
     /// [`Self::value_or_limit`] for all directions of `free`.
     #[must_use]
     pub fn values_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<[f64; 3]> {
-        let (x, y, z) = components(free.iter().map(|w| off_horizon(*w, is_upper)));
+        let (x, y, z) = lifted(free, is_upper);
         let free = [&x[..], &y, &z];
         let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; free[0].len()]);
         let held = held.each_ref().map(Vec::as_slice);
@@ -105,6 +106,31 @@ impl<'a> HeldLobe<'a> {
             Hold::Viewer => (held, free),
         };
         values(self.bxdf, wo, wi)
+    }
+
+    /// The density in 1/sr with which [`Bxdf::sample_f`] draws each direction of `free` for the held one in wo's place,
+    /// whichever is held; its limit from the side `is_upper` at the horizon.
+    #[must_use]
+    pub fn densities_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<f64> {
+        let (x, y, z) = lifted(free, is_upper);
+        let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; free.len()]);
+        let mut pdf = vec![0.0; free.len()];
+        let job = Job::Pdf {
+            wo: held.each_ref().map(Vec::as_slice),
+            wi: [&x, &y, &z],
+            pdf: &mut pdf,
+        };
+        self.bxdf.batch(Path::Dispatched, job);
+        pdf
+    }
+
+    /// The lobe of the same surface with the same direction held, as its sampler sees it: in wo's place.
+    #[must_use]
+    pub fn as_sampled(self) -> Self {
+        Self {
+            hold: Hold::Viewer,
+            ..self
+        }
     }
 
     /// The Dirac deltas, by the flux they carry.
@@ -147,6 +173,18 @@ impl<'a> HeldLobe<'a> {
             directions: triples(&free).into_iter().map(DVec3::from).collect(),
             weights: triples(&weight),
         }
+    }
+
+    /// The integral of f |cos(theta)| of the free direction over the sphere, for each of [`Self::lobes`] alone.
+    ///
+    /// `tolerance`: absolute error wanted in each. `max_evaluations`: how many values each may take.
+    #[must_use]
+    pub fn integrals(&self, tolerance: f64, max_evaluations: usize) -> Vec<Integral> {
+        let integral = |index| {
+            let weights = |u: &[[f64; 2]]| self.drawn(index, u).weights;
+            integrate_square(weights, tolerance, max_evaluations)
+        };
+        (0..self.lobes().len()).map(integral).collect()
     }
 
     /// Directions where the lobe is, denser where it is higher: the images of a regular grid under the map of each inner
@@ -213,13 +251,18 @@ fn values(bxdf: &dyn Bxdf<f64>, wo: Directions<'_, f64>, wi: Directions<'_, f64>
     triples(&channels)
 }
 
+/// The components of directions, those in the horizon plane lifted off it to the side `is_upper`.
+fn lifted(free: &[DVec3], is_upper: bool) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    components(free.iter().map(|w| off_horizon(*w, is_upper)))
+}
+
 /// The components of vectors.
 fn components(vectors: impl Iterator<Item = DVec3>) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     vectors.map(|w| (w.x, w.y, w.z)).collect()
 }
 
 /// Three arrays of one length as an array of triples.
-fn triples([a, b, c]: &[Vec<f64>; 3]) -> Vec<[f64; 3]> {
+pub(super) fn triples([a, b, c]: &[Vec<f64>; 3]) -> Vec<[f64; 3]> {
     let all = a.iter().zip(b).zip(c);
     all.map(|((a, b), c)| [*a, *b, *c]).collect()
 }

@@ -3,6 +3,7 @@
 pub mod cartesian;
 pub mod decomposition;
 pub mod half_difference;
+pub mod hemisphere;
 pub mod inspector;
 pub mod isotropy;
 pub mod lobe;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::lobe::{HeldLobe, Hold};
-use super::quadrature::{Integral, integrate_square};
+use super::quadrature::Integral;
 use super::{Detail, IsWanted, Question, Subject};
 use crate::bxdf::{Bxdf, Category, Lobe, Side};
 
@@ -97,15 +97,15 @@ pub fn lobe_shares(
     let held = HeldLobe::new(bxdf, Hold::Light, wi);
     let lobes = held.lobes();
     let tolerance = tolerance / lobes.len().max(1) as f64;
-    let continuous = lobes.iter().enumerate().map(|(index, lobe)| {
-        let weights = |u: &[[f64; 2]]| held.drawn(index, u).weights;
-        let Integral { value, error } = integrate_square(weights, tolerance, max_evaluations);
-        LobeShare {
+    let integrals = held.integrals(tolerance, max_evaluations);
+    let continuous = lobes
+        .iter()
+        .zip(integrals)
+        .map(|(lobe, Integral { value, error })| LobeShare {
             lobe: *lobe,
             value,
             error,
-        }
-    });
+        });
     let deltas = held.arrows().into_iter().map(|arrow| LobeShare {
         lobe: Lobe {
             category: Category::PerfectSpecular,
