@@ -16,6 +16,7 @@ mod refine;
 pub mod reflectance;
 pub mod scale;
 pub mod slice;
+pub mod sphere;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
