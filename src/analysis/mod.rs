@@ -17,6 +17,7 @@ pub mod reflectance;
 pub mod scale;
 pub mod slice;
 pub mod sphere;
+pub mod statistics;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};

@@ -7,8 +7,8 @@ use glam::DVec3;
 
 use super::chart::{Chart, median};
 use super::families::Family;
-use super::statistics::Random;
 use super::subject::Subject;
+use crate::analysis::statistics::Random;
 use crate::bxdf::math::quadrature::gauss_legendre;
 
 /// A cell is cut while each half keeps at least this many pilot samples.

@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
-use super::statistics::{Random, relative_difference};
+use super::statistics::relative_difference;
 use super::subject::Subject;
 use super::sweep::directions;
 use super::{LawId, Tallies};
+use crate::analysis::statistics::Random;
 use crate::bxdf::math::Real;
 use crate::bxdf::math::frame::direction_from_degrees;
 use crate::bxdf::{Delta, Side};

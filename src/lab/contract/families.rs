@@ -8,8 +8,8 @@
 
 use glam::DVec3;
 
-use super::statistics::Random;
 use super::subject::Subject;
+use crate::analysis::statistics::Random;
 use crate::bxdf::{Category, Lobe, Side};
 
 /// Lobes that one set of cells follows.

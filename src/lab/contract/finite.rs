@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::statistics::Random;
 use super::subject::Subject;
 use super::{LawId, Plan, Tallies, Witness};
+use crate::analysis::statistics::Random;
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::frame::cos_sin_deg;
 use crate::bxdf::math::{Real, Vec3};

@@ -3,11 +3,12 @@
 use glam::DVec3;
 
 use super::pointwise::pairs;
-use super::statistics::{Random, relative_difference};
+use super::statistics::relative_difference;
 use super::subject::Subject;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::reflectance::directional_hemispherical;
+use crate::analysis::statistics::Random;
 use crate::bxdf::math::{Vec3, frame};
 use crate::bxdf::{Material, ModelSpec, Side};
 

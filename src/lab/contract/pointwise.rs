@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
-use super::statistics::{Quantity, Random, is_subnormal, relative_difference, rounding_bound};
+use super::statistics::{Quantity, is_subnormal, relative_difference, rounding_bound};
 use super::subject::Subject;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies};
+use crate::analysis::statistics::Random;
 use crate::bxdf::math::Real;
 use crate::bxdf::math::frame::{direction_from_degrees, turned_about_normal};
 use crate::bxdf::{Declaration, ModelSpec, Side};

@@ -3,10 +3,11 @@
 use glam::DVec3;
 
 use super::cells::{CellIntegral, ESTIMATE, Partition};
-use super::statistics::{Random, chi_square, relative_difference, sidak};
+use super::statistics::{relative_difference, sidak};
 use super::subject::Subject;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies, energy, lobes};
+use crate::analysis::statistics::{Random, chi_square};
 use crate::bxdf::math::Vec3;
 use crate::bxdf::{Deltas, Sample};
 
@@ -183,13 +184,13 @@ fn goodness_of_fit(
         bin.unwrap_or(&mut lost).0 += 1.0;
     }
     bins.push(lost);
-    if let Some(p) = chi_square(&bins) {
+    if let Some(test) = chi_square(&bins) {
         // A p-value of 0 has no logarithm; beyond 300 digits nothing is told apart.
         let digits = |p: f64| -p.max(1e-300).log10();
         let witness = || subject.witness(&[("wo", wo)]);
         tallies.record(
             LawId::Sampling,
-            digits(p),
+            digits(test.p_value),
             digits(sidak(plan.tests)),
             witness,
         );

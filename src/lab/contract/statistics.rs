@@ -1,9 +1,6 @@
-//! Random numbers, goodness of fit and condition numbers.
+//! The chance of a false alarm, and condition numbers.
 
 use glam::DVec3;
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng as _, SeedableRng as _};
-use statrs::distribution::{ChiSquared, ContinuousCDF as _};
 use xprec::Df64;
 
 use super::subject::Subject;
@@ -13,67 +10,11 @@ use crate::bxdf::math::{Real, Vec3};
 /// Chance of a false alarm in a whole run over one model.
 const SIGNIFICANCE: f64 = 1e-3;
 
-/// Expected counts below this are pooled: the chi-square distribution is an approximation for large counts.
-const SMALLEST_EXPECTATION: f64 = 8.0;
-
-/// A generator of its own for each purpose, the same in every run.
-pub(super) struct Random(Pcg64Mcg);
-
-impl Random {
-    /// The generator number `seed`.
-    pub(super) fn new(seed: u64) -> Self {
-        Self(Pcg64Mcg::seed_from_u64(seed))
-    }
-
-    /// Uniform in [0, 1), 53 bits.
-    pub(super) fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
-    }
-
-    /// Two of [`Self::unit`].
-    pub(super) fn pair(&mut self) -> [f64; 2] {
-        [self.unit(), self.unit()]
-    }
-
-    /// A direction uniform over the sphere.
-    pub(super) fn direction(&mut self) -> DVec3 {
-        let [u, v] = self.pair();
-        let z = 1.0 - 2.0 * u;
-        let (sin, cos) = (std::f64::consts::TAU * v).sin_cos();
-        let radius = ((1.0 - z) * (1.0 + z)).sqrt();
-        DVec3::new(radius * cos, radius * sin, z)
-    }
-}
-
 /// The largest p-value that counts as a failure among `tests` independent ones (Sidak 1967): with it, the chance that
 /// any of them fails by chance is [`SIGNIFICANCE`].
 pub(super) fn sidak(tests: usize) -> f64 {
     // 1 - (1 - a)^(1/n), without cancellation.
     -((-SIGNIFICANCE).ln_1p() / tests.max(1) as f64).exp_m1()
-}
-
-/// The p-value of Pearson's chi-square test of `(observed, expected)` counts whose sums agree.
-///
-/// Bins expected to hold fewer than [`SMALLEST_EXPECTATION`] are pooled. `None` where one bin or none is left.
-pub(super) fn chi_square(bins: &[(f64, f64)]) -> Option<f64> {
-    let (mut pool, mut kept) = ((0.0, 0.0), Vec::new());
-    for &(observed, expected) in bins {
-        if expected >= SMALLEST_EXPECTATION {
-            kept.push((observed, expected));
-        } else {
-            pool.0 += observed;
-            pool.1 += expected.max(0.0);
-        }
-    }
-    if pool.1 >= SMALLEST_EXPECTATION {
-        kept.push(pool);
-    } else if pool.0 > 6.0 * SMALLEST_EXPECTATION {
-        // At most 8 expected, at least 48 seen: a Poisson tail of 1e-20.
-        return Some(0.0);
-    }
-    let freedom = kept.len().checked_sub(1).filter(|n| *n > 0)? as f64;
-    let statistic: f64 = kept.iter().map(|(o, e)| (o - e) * (o - e) / e).sum();
-    Some(ChiSquared::new(freedom).ok()?.sf(statistic))
 }
 
 /// The stability law: relative error <= 16 (1 + kappa) u.
@@ -179,22 +120,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_tail_of_chi_square_and_its_correction() {
-        // Two bins of 100: (10^2 + 10^2) / 100 = 2 at one degree of freedom has the tail erfc(1) = .15729920705.
-        let p = chi_square(&[(110.0, 100.0), (90.0, 100.0)]).unwrap();
-        assert!((p - 0.157_299_207_05).abs() < 1e-9, "{p}");
-        assert!(chi_square(&[(100.0, 100.0), (0.0, 0.0)]).is_none());
-        assert_eq!(chi_square(&[(50.0, 100.0), (50.0, 0.0)]), Some(0.0));
+    fn many_tests_share_one_chance_of_a_false_alarm() {
         assert!((sidak(1) - SIGNIFICANCE).abs() < 1e-15);
         assert!((1.0 - (1.0 - sidak(100)).powi(100) - SIGNIFICANCE).abs() < 1e-12);
-    }
-
-    #[test]
-    fn random_directions_are_unit_and_repeat() {
-        let mut random = Random::new(7);
-        let first = random.direction();
-        assert!((first.length() - 1.0).abs() < 1e-15);
-        assert_eq!(Random::new(7).direction(), first);
-        assert!((0..1000).all(|_| (0.0..1.0).contains(&random.unit())));
     }
 }
