@@ -14,6 +14,7 @@ pub mod question;
 pub mod raster;
 mod refine;
 pub mod reflectance;
+pub mod sampling;
 pub mod scale;
 pub mod slice;
 pub mod sphere;
