@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::scene::Frame;
-use crate::analysis::inspector::half_difference;
+use crate::analysis::half_difference::half_difference;
 use crate::bxdf::math::frame;
 
 /// The pair of directions (wo, wi) in the shading frame at the point `place` of the sphere, which is lit from the unit
