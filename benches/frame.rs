@@ -14,7 +14,8 @@ use brdf_explorer::bxdf::material::library;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::jobs::Clock;
 use brdf_explorer::ui::platform;
-use brdf_explorer::ui::session::{Materials, READY_LAYOUTS, Session};
+use brdf_explorer::ui::session::{Layout, Materials, Part, READY_LAYOUTS, Session, ViewId};
+use brdf_explorer::ui::views::{VIEWS, ViewSpec};
 use egui_kittest::Harness;
 
 /// Frames measured per gesture.
@@ -64,11 +65,16 @@ fn main() -> Result<()> {
     measure("slider theta, blade 0.01 by 0.5", &blade, theta)?;
     measure("nothing moves", &start, |_, _| Ok(()))?;
     let eight = eight()?;
+    let everything = Session {
+        layout: every_view(),
+        ..eight.clone()
+    };
     measure("theta, eight materials, Compare", &eight, theta)?;
     for (name, session) in [
         ("theta, default settings", &start),
         ("theta, blade", &blade),
         ("theta, eight materials, Compare", &eight),
+        ("theta, eight materials, every view", &everything),
     ] {
         drag_with_workers(name, session, theta)?;
         wait_for_answers(name, session);
@@ -88,6 +94,17 @@ fn eight() -> Result<Session> {
         layout: compare.map_or_else(Default::default, |ready| (ready.layout)()),
         ..Session::default()
     })
+}
+
+/// Every view open once, in rows of three.
+fn every_view() -> Layout {
+    const IN_A_ROW: usize = 3;
+    let part = |place| Part { share: 1.0, place };
+    let row = |views: &'static [ViewSpec]| {
+        let views = views.iter().map(|view| Layout::View(ViewId::of(view)));
+        part(Layout::Row(views.map(part).collect()))
+    };
+    Layout::Column(VIEWS.chunks(IN_A_ROW).map(row).collect())
 }
 
 /// The window with `session`, settled.

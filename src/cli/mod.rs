@@ -9,6 +9,8 @@ mod bench;
 mod check;
 mod energy;
 mod eval;
+#[cfg(feature = "gui")]
+mod export;
 mod input;
 mod models;
 mod output;
@@ -62,6 +64,13 @@ enum Verb {
     /// Render the window into a picture
     #[cfg(feature = "gui")]
     Render(render::Arguments),
+    /// Export a view as picture, drawing, numbers or mesh, or the material
+    #[cfg(feature = "gui")]
+    Export(render::Arguments),
+    /// Export a view; not in this build
+    #[cfg(not(feature = "gui"))]
+    #[command(hide = true)]
+    Export(NoWindow),
     /// Render the window into a picture; not in this build
     #[cfg(not(feature = "gui"))]
     #[command(hide = true)]
@@ -118,8 +127,10 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
         }
         #[cfg(feature = "gui")]
         Some(Verb::Render(arguments)) => render::run(&arguments.request()?)?,
+        #[cfg(feature = "gui")]
+        Some(Verb::Export(arguments)) => export::run(&arguments.request()?)?,
         #[cfg(not(feature = "gui"))]
-        Some(Verb::Render(_)) => window()?,
+        Some(Verb::Render(_) | Verb::Export(_)) => window()?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -49,8 +49,8 @@ pub struct Arguments {
     /// The theme: dark or light
     #[arg(long, value_parser = theme)]
     theme: Option<Theme>,
-    /// The picture to write
-    #[arg(short, value_name = "FILE.png", value_parser = picture)]
+    /// The file to write
+    #[arg(short, value_name = "FILE")]
     output: PathBuf,
 }
 
@@ -82,7 +82,7 @@ pub struct RenderArgs {
     pub scale: f64,
     /// The theme.
     pub theme: Option<Theme>,
-    /// The picture to write, a `.png` file.
+    /// The file to write.
     pub output: PathBuf,
 }
 
@@ -142,25 +142,34 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
     use std::io::Write as _;
 
     use super::output::Output;
+
+    require_png(&request.output)?;
+    let bytes = picture(request)?.png()?;
+    let mut output = Output::open(&request.output)?;
+    output
+        .write_all(&bytes)
+        .map_err(|error| Error::io(&request.output, error))?;
+    output.finish()
+}
+
+/// The picture that is asked for, before it is drawn.
+///
+/// # Errors
+/// Where the session cannot be read or the view is unknown.
+#[cfg(feature = "gui")]
+pub(super) fn picture(request: &RenderArgs) -> Result<crate::ui::headless::Picture> {
     use crate::ui::{headless::Picture, views};
 
-    let only = request.view.as_deref().map(views::find).transpose()?;
-    let picture = Picture {
+    Ok(Picture {
         session: session(request)?,
-        only,
+        only: request.view.as_deref().map(views::find).transpose()?,
         size: request.size,
         scale: request.scale as f32,
         theme: match request.theme {
             Some(Theme::Light) => egui::Theme::Light,
             Some(Theme::Dark) | None => egui::Theme::Dark,
         },
-    };
-    let bytes = picture.png()?;
-    let mut output = Output::open(&request.output)?;
-    output
-        .write_all(&bytes)
-        .map_err(|error| Error::io(&request.output, error))?;
-    output.finish()
+    })
 }
 
 /// The session to draw: the file's or the start, changed by what else was asked for.
@@ -233,16 +242,16 @@ fn scale(text: &str) -> Result<f64> {
         })
 }
 
-fn picture(text: &str) -> Result<PathBuf> {
-    let path = Path::new(text);
+/// Refuses a name that is not a picture's.
+fn require_png(path: &Path) -> Result<()> {
     let is_png = path
         .extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION));
     if is_png {
-        Ok(path.to_owned())
+        Ok(())
     } else {
         Err(Error::parse(
-            format!("picture '{text}'"),
+            format!("picture '{}'", path.display()),
             "expected a name that ends in .png",
         ))
     }
@@ -341,6 +350,7 @@ mod tests {
             let message = parse(&format!("{line} -o a.png")).unwrap_err();
             assert!(message.contains(expected), "{line}: {message}");
         }
-        assert!(parse("-o a.jpg").unwrap_err().contains("ends in .png"));
+        let refused = require_png(Path::new("a.jpg")).unwrap_err().to_string();
+        assert!(refused.contains("ends in .png"), "{refused}");
     }
 }

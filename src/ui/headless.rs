@@ -2,8 +2,8 @@
 
 use eframe::egui_wgpu::{WgpuSetup, wgpu};
 use egui::Theme;
-use egui_kittest::Harness;
 use egui_kittest::wgpu::default_wgpu_setup;
+use egui_kittest::{Harness, HarnessBuilder};
 use wgpu::Backends;
 
 use super::app::App;
@@ -42,15 +42,27 @@ impl Picture {
             problem: format!("the picture cannot be drawn: {problem}"),
             remedy: "a smaller --size or --scale may do".to_owned(),
         };
-        let image = self.harness()?.render().map_err(failed)?;
-        let mut bytes = Vec::new();
-        image
-            .write_to(
-                &mut std::io::Cursor::new(&mut bytes),
-                image::ImageFormat::Png,
-            )
-            .map_err(|error| failed(error.to_string()))?;
-        Ok(bytes)
+        encoded(&self.harness()?.render().map_err(failed)?)
+    }
+
+    /// The running application behind the picture, settled, on a machine that need not be able to draw: what it paints is
+    /// there as shapes.
+    #[must_use]
+    pub fn shapes(self) -> Harness<'static, App> {
+        let builder = self.builder();
+        let mut harness = builder.build_eframe(|cc| App::new(cc, self.session, self.only, None));
+        harness.run_ok();
+        harness
+    }
+
+    fn builder(&self) -> HarnessBuilder<App> {
+        let [width, height] = self.size.map(|points| points as f32);
+        Harness::builder()
+            .with_size(egui::vec2(width, height))
+            .with_pixels_per_point(self.scale)
+            .with_theme(self.theme)
+            .with_max_steps(MAX_FRAMES)
+            .with_render_cursor(false)
     }
 
     /// The running application behind the picture, settled; tests drive it on.
@@ -62,18 +74,29 @@ impl Picture {
         if let WgpuSetup::CreateNew(setup) = &mut setup {
             setup.instance_descriptor.backends = backends_with_adapter()?;
         }
-        let [width, height] = self.size.map(|points| points as f32);
-        let mut harness = Harness::builder()
-            .with_size(egui::vec2(width, height))
-            .with_pixels_per_point(self.scale)
-            .with_theme(self.theme)
-            .with_max_steps(MAX_FRAMES)
-            .with_render_cursor(false)
-            .wgpu_setup(setup)
-            .build_eframe(|cc| App::new(cc, self.session, self.only, None));
+        let builder = self.builder().wgpu_setup(setup);
+        let mut harness = builder.build_eframe(|cc| App::new(cc, self.session, self.only, None));
         harness.run_ok();
         Ok(harness)
     }
+}
+
+/// A picture as the bytes of a PNG file.
+///
+/// # Errors
+/// [`Error::Platform`] where it cannot be encoded.
+pub fn encoded(image: &image::RgbaImage) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    image
+        .write_to(
+            &mut std::io::Cursor::new(&mut bytes),
+            image::ImageFormat::Png,
+        )
+        .map_err(|error| Error::Platform {
+            problem: format!("the picture cannot be encoded: {error}"),
+            remedy: "a smaller size may do".to_owned(),
+        })?;
+    Ok(bytes)
 }
 
 /// The backends that have a graphics adapter: the modern ones if any has, so that the older ones are not even started.

@@ -3,6 +3,7 @@
 pub mod app;
 pub mod commands;
 pub mod data;
+pub mod export;
 pub mod format;
 pub mod headless;
 pub mod history;

@@ -9,6 +9,7 @@ use egui_tiles::{
     UiResponse,
 };
 
+use super::export::{FORMATS, Format};
 use super::session::{Layout, Part, ViewId};
 use super::theme;
 use super::views::{self, ViewSpec};
@@ -34,7 +35,13 @@ impl Default for ViewTiles {
 
 impl ViewTiles {
     /// Draws the views where `layout` has them, each by `show_view`; gestures change `layout`.
-    pub fn show(&mut self, ui: &mut Ui, layout: &mut Layout, show_view: &mut ShowView<'_>) {
+    /// Returns what is to be exported, if anything was chosen.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        layout: &mut Layout,
+        show_view: &mut ShowView<'_>,
+    ) -> Option<(ViewId, Format)> {
         if *layout != self.layout {
             self.tree = tree_of(layout);
             self.layout = layout.clone();
@@ -43,14 +50,18 @@ impl ViewTiles {
             show_view,
             has_several: self.layout.views().len() > 1,
             is_edited: false,
+            wished: None,
         };
         self.tree.ui(&mut panes, ui);
-        let is_edited = panes.is_edited;
+        let Panes {
+            is_edited, wished, ..
+        } = panes;
         // While a tile is dragged the tree is the library's own affair.
         if is_edited && let Some(edited) = self.tree.root().and_then(|root| self.place(root)) {
             self.layout = edited;
             layout.clone_from(&self.layout);
         }
+        wished
     }
 
     /// The layout of a tile; `None` where no view is in it.
@@ -139,6 +150,8 @@ struct Panes<'a, 'b> {
     show_view: &'a mut ShowView<'b>,
     has_several: bool,
     is_edited: bool,
+    /// What is to be exported.
+    wished: Option<(ViewId, Format)>,
 }
 
 /// The view of this id; ids are checked where they are read.
@@ -146,13 +159,40 @@ fn spec_of(id: ViewId) -> Option<&'static ViewSpec> {
     views::find(id.as_str()).ok()
 }
 
+/// What there is to see, and the menu of the files it can be exported to. Returns the one chosen.
+fn caption(ui: &mut Ui, view: &ViewSpec) -> Option<Format> {
+    let mut wished = None;
+    let width = ui.available_width();
+    let room = egui::vec2(width, ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(room, egui::Layout::right_to_left(egui::Align::TOP), |ui| {
+        let menu = ui.menu_button(RichText::new("Export").small(), |ui| {
+            for spec in FORMATS.iter().filter(|spec| view.has_file(spec.format)) {
+                let item = ui.button(spec.title);
+                if item.on_hover_text(spec.meaning).clicked() {
+                    wished = Some(spec.format);
+                }
+            }
+        });
+        let name = format!("Export {}", view.title);
+        ui.ctx()
+            .accesskit_node_builder(menu.response.id, |node| node.set_label(name));
+        let what = egui::Label::new(RichText::new(view.what_you_see).small().weak());
+        ui.with_layout(egui::Layout::left_to_right(egui::Align::TOP), |ui| {
+            ui.add(what.wrap());
+        });
+    });
+    wished
+}
+
 impl Behavior<ViewId> for Panes<'_, '_> {
-    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, view: &mut ViewId) -> UiResponse {
-        if let Some(view) = spec_of(*view) {
+    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, id: &mut ViewId) -> UiResponse {
+        if let Some(view) = spec_of(*id) {
             egui::Frame::NONE
                 .inner_margin(theme::TILE_MARGIN)
                 .show(ui, |ui| {
-                    ui.label(RichText::new(view.what_you_see).small().weak());
+                    if let Some(format) = caption(ui, view) {
+                        self.wished = Some((*id, format));
+                    }
                     (self.show_view)(ui, view);
                 });
         }

@@ -4,6 +4,7 @@
 
 mod badges;
 mod commands;
+mod export;
 mod files;
 mod history;
 mod interaction;
@@ -13,6 +14,7 @@ mod overlay;
 mod render;
 mod screenshots;
 mod tiles;
+mod views;
 mod workers;
 
 use std::path::PathBuf;
@@ -22,7 +24,7 @@ use brdf_explorer::bxdf::material::library;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
 use brdf_explorer::ui::session::{Materials, Session};
-use brdf_explorer::ui::views;
+use brdf_explorer::ui::views as all_views;
 use egui::Theme;
 use egui_kittest::Harness;
 
@@ -64,7 +66,7 @@ fn session(shown: &[&str]) -> Session {
 
 /// The window showing `session`, or one view of it, settled.
 fn picture(session: Session, view: Option<&str>, size: [u32; 2], theme: Theme) -> Picture {
-    let only = view.map(|id| views::find(id).unwrap());
+    let only = view.map(|id| all_views::find(id).unwrap());
     Picture {
         session,
         only,

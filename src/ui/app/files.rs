@@ -25,7 +25,25 @@ pub struct Files {
     file: Option<PathBuf>,
 }
 
+impl Files {
+    /// Asks for a file.
+    pub(super) fn ask(&mut self, question: Question) {
+        self.dialogs.ask(question);
+    }
+}
+
 impl App {
+    /// Writes a file of the user's.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub(super) fn write_file(&self, path: &Path, bytes: &[u8]) -> Result<()> {
+        match &self.files {
+            Some(files) => files.store.export(path, bytes),
+            None => Ok(()),
+        }
+    }
+
     /// Works on files from here on, and goes on with the session of the last run, if there is one. Pictures and tests
     /// have no files unless they are given some.
     pub fn work_on(&mut self, ctx: &Context, mut store: Store, dialogs: Box<dyn Dialogs>) {
@@ -172,6 +190,7 @@ impl App {
         for file in dropped {
             self.open(file.path());
         }
+        self.write_exports(ctx);
         let Some(files) = &mut self.files else { return };
         say_what_dropping_does(ctx);
         if !files.dialogs.is_open() {
@@ -180,6 +199,7 @@ impl App {
         match files.dialogs.answer() {
             Some((Question::Open, Some(path))) => self.open(&path),
             Some((Question::Save(_), Some(path))) => self.save_to(&path),
+            Some((Question::Export(_), Some(path))) => self.export_to(&path, ctx),
             Some((_, None)) => {}
             None => ctx.request_repaint_after(Duration::from_secs_f64(DIALOG_POLL)),
         }

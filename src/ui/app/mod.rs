@@ -19,8 +19,10 @@ use super::widgets::search::{Outcome, Search};
 use super::widgets::{badges, directions, help, layouts, options, status};
 use super::{commands, scene3d};
 use crate::analysis::Detail;
+use export::Exports;
 use files::Files;
 
+mod export;
 mod files;
 
 /// Keys that change the value of a control a little at a time.
@@ -48,6 +50,7 @@ pub struct App {
     list: MaterialList,
     notice: Notice,
     files: Option<Files>,
+    exports: Exports,
     search: Option<Search>,
     is_help_shown: bool,
     tiles: Option<ViewTiles>,
@@ -83,6 +86,7 @@ impl App {
             list: MaterialList::default(),
             notice: Notice::default(),
             files: None,
+            exports: Exports::default(),
             search: None,
             is_help_shown: false,
             tiles: None,
@@ -93,6 +97,12 @@ impl App {
     #[must_use]
     pub fn shown(&self) -> Option<Detail> {
         self.data.shown()
+    }
+
+    /// The picture behind a texture, if it is one of the views'.
+    #[must_use]
+    pub fn image(&self, id: egui::TextureId) -> Option<std::sync::Arc<egui::ColorImage>> {
+        self.state.image(id)
     }
 
     fn show_view(&mut self, ui: &mut Ui, view: &ViewSpec, palette: &Palette) {
@@ -240,11 +250,14 @@ impl App {
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
         let mut layout = self.session.layout.clone();
         let mut tiles = self.tiles.take().unwrap_or_default();
-        tiles.show(ui, &mut layout, &mut |ui, view| {
+        let wished = tiles.show(ui, &mut layout, &mut |ui, view| {
             self.show_view(ui, view, palette);
         });
         self.tiles = Some(tiles);
         self.session.layout = layout;
+        if let Some((view, format)) = wished {
+            self.ask_export(view, format);
+        }
     }
 }
 
@@ -260,7 +273,9 @@ impl eframe::App for App {
         self.state.begin_frame();
         let before = self.cursor;
         if let Some(view) = self.only {
-            let frame = egui::Frame::NONE.fill(palette.background);
+            let frame = egui::Frame::NONE
+                .fill(palette.background)
+                .inner_margin(theme::TILE_MARGIN);
             CentralPanel::no_frame()
                 .frame(frame)
                 .show(ui, |ui| self.show_view(ui, view, &palette));

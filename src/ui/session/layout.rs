@@ -93,7 +93,7 @@ pub struct ReadyLayout {
 }
 
 /// The ready layouts, in the order of the menu; the first one is that of the start.
-pub static READY_LAYOUTS: [ReadyLayout; 2] = [
+pub static READY_LAYOUTS: [ReadyLayout; 4] = [
     ReadyLayout {
         name: "Teach",
         meaning: "The section and the lobe side by side, as large as they go: for the screen in front of a class",
@@ -116,6 +116,29 @@ pub static READY_LAYOUTS: [ReadyLayout; 2] = [
             ])
         },
     },
+    ReadyLayout {
+        name: "Reflectance",
+        meaning: "How much light leaves, how it looks on a body, and what it is made of",
+        layout: || {
+            Layout::row(vec![
+                Layout::column(vec![
+                    Layout::view("reflectance"),
+                    Layout::view("decomposition"),
+                ]),
+                Layout::column(vec![Layout::view("sphere"), Layout::view("slice")]),
+            ])
+        },
+    },
+    ReadyLayout {
+        name: "Sampling",
+        meaning: "Where the sampler sends directions, beside the density and the value it should follow",
+        layout: || {
+            Layout::row(vec![
+                Layout::view("sampling"),
+                Layout::column(vec![Layout::view("hemisphere"), Layout::view("cartesian")]),
+            ])
+        },
+    },
 ];
 
 impl Default for Layout {
@@ -134,6 +157,12 @@ impl Layout {
     fn row(places: Vec<Self>) -> Self {
         let part = |place| Part { share: 1.0, place };
         Self::Row(places.into_iter().map(part).collect())
+    }
+
+    /// Equal parts one above the other.
+    fn column(places: Vec<Self>) -> Self {
+        let part = |place| Part { share: 1.0, place };
+        Self::Column(places.into_iter().map(part).collect())
     }
 
     /// The views in it, from the left and from the top, those behind other tabs too.

@@ -15,6 +15,7 @@ pub struct Materials {
     pub(super) entries: Vec<MaterialEntry>,
     pub(super) selected: EntryId,
     pub(super) solo: Option<EntryId>,
+    pub(super) reference: Option<EntryId>,
 }
 
 impl Materials {
@@ -26,6 +27,7 @@ impl Materials {
             entries: vec![MaterialEntry::new(id, Slot(0), material)],
             selected: id,
             solo: None,
+            reference: None,
         }
     }
 
@@ -94,6 +96,19 @@ impl Materials {
     pub fn selected_mut(&mut self) -> &mut MaterialEntry {
         let index = self.position(self.selected).unwrap_or(0);
         &mut self.entries[index]
+    }
+
+    /// The material that others are compared with: the one chosen, else the first one shown, else the first.
+    #[must_use]
+    pub fn reference(&self) -> &MaterialEntry {
+        let chosen = self.reference.and_then(|id| self.get(id));
+        let first = || self.shown().next();
+        chosen.or_else(first).unwrap_or_else(|| self.selected())
+    }
+
+    /// Chooses the material that others are compared with.
+    pub fn compare_with(&mut self, id: EntryId) {
+        self.reference = Some(id);
     }
 
     /// Selects a material; one that is not in the list changes nothing.

@@ -18,14 +18,20 @@ mod questions;
 mod stored;
 mod text;
 mod ties;
+mod view_options;
 
 pub use entry::{EntryId, MaterialEntry, Slot};
 pub use file::VERSION;
 pub use layout::{Layout, Part, READY_LAYOUTS, ReadyLayout, ViewId};
 pub use materials::{MAX_MATERIALS, Materials};
-pub use questions::SHARES;
+pub use questions::{SAMPLE_COUNTS_LOG2, SHARES};
 pub use text::{MAX_TEXT, Opened, pasted, read};
 pub use ties::WIDTHS;
+pub use view_options::{
+    Arrangement, CartesianOptions, Decomposed, DecompositionOptions, HemisphereOptions,
+    ReflectanceOptions, SamplingOptions, SamplingPlot, SliceOptions, SphereOptions, Split,
+    ViewOptions,
+};
 
 /// Which curves the polar plot draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -102,6 +108,8 @@ pub struct Session {
     pub camera: OrbitCamera,
     /// Where the views stand.
     pub layout: Layout,
+    /// What each view shows and how, as far as it is its own affair.
+    pub views: ViewOptions,
 }
 
 impl Default for Session {
@@ -122,6 +130,7 @@ impl Default for Session {
             show_geometry: false,
             camera: OrbitCamera::default(),
             layout: Layout::default(),
+            views: ViewOptions::default(),
         }
     }
 }
@@ -218,6 +227,15 @@ impl Session {
         match self.hold {
             Hold::Light => "light",
             Hold::Viewer => "viewer",
+        }
+    }
+
+    /// The name of the direction that is left free.
+    #[must_use]
+    pub fn free_name(&self) -> &'static str {
+        match self.hold {
+            Hold::Light => "viewer",
+            Hold::Viewer => "light",
         }
     }
 }

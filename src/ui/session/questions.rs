@@ -1,8 +1,10 @@
 //! What the views ask about each material, as the session has it.
 
-use super::Session;
-use crate::analysis::reflectance::SharesRequest;
-use crate::analysis::{lobe3d, polar};
+use super::{DECADES, Session};
+use crate::analysis::reflectance::{CurveRequest, SharesRequest};
+use crate::analysis::{
+    RadialScale, cartesian, decomposition, hemisphere, lobe3d, polar, sampling, slice, sphere,
+};
 
 /// The shares of light at the screen: an error below half a unit of the last digit shown, and evaluations for a few
 /// milliseconds, whatever the material.
@@ -11,12 +13,34 @@ pub const SHARES: SharesRequest = SharesRequest {
     max_evaluations: 60_000,
 };
 
+/// The reflectance over the angle: a value for each degree, with a tenth of the error that a curve of its width shows.
+const REFLECTANCE: CurveRequest = CurveRequest {
+    phi_deg: 0.0,
+    angles: 91,
+    tolerance: 1e-4,
+    max_evaluations: 400_000,
+};
+
+/// Pixels along either side of a map of values.
+const MAP_SIZE: usize = 256;
+
+/// The sizes of pictures of spheres, in pixels: the smallest that fills its place is computed.
+const SPHERE_SIZES: [usize; 3] = [128, 256, 512];
+
+/// The powers of 2 that can be chosen as the number of samples.
+pub const SAMPLE_COUNTS_LOG2: std::ops::RangeInclusive<u8> = 6..=16;
+
 impl Session {
+    /// The azimuth of the section, in radians.
+    fn section_phi(&self) -> f64 {
+        self.section_azimuth_deg().to_radians()
+    }
+
     /// The section of the polar plot.
     #[must_use]
     pub fn section_request(&self) -> polar::Request {
         polar::Request {
-            phi: self.section_azimuth_deg().to_radians(),
+            phi: self.section_phi(),
             with_cosine: self.with_cosine,
             scale: self.scale,
         }
@@ -28,6 +52,105 @@ impl Session {
         lobe3d::Request {
             scale: self.scale,
             with_cosine: self.with_cosine,
+        }
+    }
+
+    /// The curve of the Cartesian plot; its residual is that against the reference.
+    #[must_use]
+    pub fn cartesian_request(&self) -> cartesian::Request {
+        let options = self.views.cartesian;
+        cartesian::Request {
+            abscissa: options.abscissa,
+            fixed_deg: options.fixed_deg,
+            phi: self.section_phi(),
+            with_cosine: self.with_cosine,
+            scale: if options.is_logarithmic && !options.is_residual {
+                RadialScale::Logarithmic { decades: DECADES }
+            } else {
+                RadialScale::Linear
+            },
+            is_residual: options.is_residual,
+        }
+    }
+
+    /// The map of the hemisphere; its comparison is that with the reference.
+    #[must_use]
+    pub fn hemisphere_request(&self) -> hemisphere::Request {
+        let options = self.views.hemisphere;
+        hemisphere::Request {
+            projection: options.projection,
+            quantity: options.quantity,
+            comparison: options.comparison,
+            is_upper: !options.is_lower,
+            size: MAP_SIZE,
+        }
+    }
+
+    /// The reflectance over the angle of incidence, at the azimuth of the held direction.
+    #[must_use]
+    pub fn reflectance_request(&self) -> CurveRequest {
+        CurveRequest {
+            phi_deg: self.phi_deg,
+            ..REFLECTANCE
+        }
+    }
+
+    /// The slice, at the azimuth of the section.
+    #[must_use]
+    pub fn slice_request(&self) -> slice::Request {
+        let options = self.views.slice;
+        slice::Request {
+            phi_d_deg: options.phi_d_deg,
+            phi_h_deg: self.section_azimuth_deg(),
+            is_square_root: options.is_square_root,
+            size: MAP_SIZE,
+        }
+    }
+
+    /// The lit sphere, in a place this many pixels wide.
+    #[must_use]
+    pub fn sphere_request(&self, pixels: f32) -> sphere::Request {
+        let options = self.views.sphere;
+        let [.., largest] = SPHERE_SIZES;
+        let fits = |size: &usize| *size as f32 >= pixels;
+        sphere::Request {
+            light: options.light,
+            direction: [options.theta_deg, options.phi_deg],
+            size: SPHERE_SIZES.into_iter().find(fits).unwrap_or(largest),
+        }
+    }
+
+    /// The study of the sampling.
+    #[must_use]
+    pub fn sampling_request(&self) -> sampling::Request {
+        let options = self.views.sampling;
+        let (least, most) = (*SAMPLE_COUNTS_LOG2.start(), *SAMPLE_COUNTS_LOG2.end());
+        sampling::Request {
+            count: 1 << options.count_log2.clamp(least, most),
+            seed: u64::from(options.seed),
+            phi: self.section_phi(),
+        }
+    }
+
+    /// The decomposition in the section.
+    #[must_use]
+    pub fn decomposition_request(&self) -> decomposition::Request {
+        decomposition::Request {
+            phi: self.section_phi(),
+            with_cosine: self.with_cosine,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spheres_are_as_large_as_their_places() {
+        let session = Session::default();
+        for (pixels, size) in [(10.0, 128), (128.0, 128), (129.0, 256), (4000.0, 512)] {
+            assert_eq!(session.sphere_request(pixels).size, size);
         }
     }
 }

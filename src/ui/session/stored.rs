@@ -13,6 +13,10 @@ use crate::bxdf::Material;
 /// A material in the file. Only the material must be given: the rest is what a new one gets.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "marks in a file, each by itself"
+)]
 struct Stored {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     id: Option<u32>,
@@ -26,6 +30,8 @@ struct Stored {
     hidden: bool,
     #[serde(default, skip_serializing_if = "is_false")]
     solo: bool,
+    #[serde(default, skip_serializing_if = "is_false")]
+    reference: bool,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     linked_widths: Option<bool>,
     material: Material,
@@ -49,6 +55,7 @@ impl Serialize for Materials {
                 selected: entry.id == self.selected().id,
                 hidden: !entry.is_visible,
                 solo: self.solo == Some(entry.id),
+                reference: self.reference == Some(entry.id),
                 linked_widths: Some(entry.has_linked_widths)
                     .filter(|linked| *linked != has_equal_widths(&entry.material)),
                 material: entry.material.clone(),
@@ -102,6 +109,7 @@ fn restored(all: Vec<Stored>) -> crate::error::Result<Materials> {
     materials.entries.clear();
     let selected = all.iter().position(|stored| stored.selected).unwrap_or(0);
     let solo = all.iter().position(|stored| stored.solo);
+    let reference = all.iter().position(|stored| stored.reference);
     // Those who say nothing get what the others leave.
     let claimed_ids: Vec<u32> = all.iter().filter_map(|stored| stored.id).collect();
     let claimed_slots: Vec<u8> = all.iter().filter_map(|stored| stored.slot).collect();
@@ -122,6 +130,7 @@ fn restored(all: Vec<Stored>) -> crate::error::Result<Materials> {
     }
     let id_at = |index: usize| materials.entries.get(index).map(|entry| entry.id);
     let (selected, solo) = (id_at(selected), solo.and_then(id_at));
+    materials.reference = reference.and_then(id_at);
     materials.selected = selected.unwrap_or(materials.selected);
     materials.solo = solo;
     Ok(materials)
@@ -165,6 +174,7 @@ mod tests {
             material = \"oren_nayar\"
             [[materials]]
             solo = true
+            reference = true
             linked_widths = false
             id = 1
             material = \"rough_conductor\"";
@@ -175,6 +185,7 @@ mod tests {
         assert_eq!(materials.selected().slot(), Slot(7));
         assert!(materials.shown().map(MaterialEntry::id).eq([EntryId(3)]));
         assert!(!materials.get(EntryId(3)).unwrap().has_linked_widths);
+        assert_eq!(materials.reference().id(), EntryId(3));
         let session = Session {
             materials,
             ..Session::default()

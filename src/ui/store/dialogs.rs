@@ -9,6 +9,8 @@ pub enum Question {
     Open,
     /// A file to save to; this name is proposed.
     Save(String),
+    /// A file to export to; this name is proposed.
+    Export(String),
 }
 
 /// Asks for files, one question at a time, without waiting for the answer.
@@ -36,6 +38,9 @@ mod native {
 
     use super::{Dialogs, PathBuf, Question};
 
+    /// The files of sessions and materials: what they are called, and what their names end in.
+    const SESSIONS: (&str, &[&str]) = ("Session or material", &["toml"]);
+
     type Answer = Pin<Box<dyn Future<Output = Option<FileHandle>>>>;
 
     /// The dialogs of this machine.
@@ -49,10 +54,18 @@ mod native {
             if self.open.is_some() {
                 return;
             }
-            let dialog = AsyncFileDialog::new().add_filter("Session or material", &["toml"]);
+            let dialog = AsyncFileDialog::new();
             let answer: Answer = match &question {
-                Question::Open => Box::pin(dialog.pick_file()),
-                Question::Save(name) => Box::pin(dialog.set_file_name(name).save_file()),
+                Question::Open => Box::pin(dialog.add_filter(SESSIONS.0, SESSIONS.1).pick_file()),
+                Question::Save(name) => {
+                    let dialog = dialog.add_filter(SESSIONS.0, SESSIONS.1);
+                    Box::pin(dialog.set_file_name(name).save_file())
+                }
+                Question::Export(name) => {
+                    let extension = name.rsplit('.').next().unwrap_or_default();
+                    let dialog = dialog.add_filter(extension.to_uppercase(), &[extension]);
+                    Box::pin(dialog.set_file_name(name).save_file())
+                }
             };
             self.open = Some((question, answer));
         }

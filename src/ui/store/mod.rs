@@ -154,6 +154,14 @@ impl Store {
         Ok(())
     }
 
+    /// Writes what was exported to a file of the user's.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub fn export(&self, path: &Path, bytes: &[u8]) -> Result<()> {
+        self.put(path, bytes, false)
+    }
+
     /// Reads a file of the user's: a session or a material.
     ///
     /// # Errors
@@ -222,16 +230,19 @@ impl Store {
     /// Writes `text` to the file at `path`: beside it first, then moved into its place. What was there before is kept as
     /// the backup, if it can be read: a broken file never takes the place of the last good one.
     fn replace(&self, path: &Path, text: &str) -> Result<()> {
+        self.put(path, text.as_bytes(), self.is_good(path))
+    }
+
+    /// Writes `bytes` beside the file at `path`, then moves them into its place; `has_backup`: whether what was there is
+    /// kept.
+    fn put(&self, path: &Path, bytes: &[u8], has_backup: bool) -> Result<()> {
         let temporary = with_suffix(path, ".partial");
-        let written = self
-            .files
-            .write(&temporary, text.as_bytes())
-            .and_then(|()| {
-                if self.is_good(path) {
-                    self.files.rename(path, &backup(path))?;
-                }
-                self.files.rename(&temporary, path)
-            });
+        let written = self.files.write(&temporary, bytes).and_then(|()| {
+            if has_backup {
+                self.files.rename(path, &backup(path))?;
+            }
+            self.files.rename(&temporary, path)
+        });
         written.map_err(|error| {
             // The error that led here is the one to tell.
             let _ = self.files.remove(&temporary);

@@ -6,20 +6,20 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 use glam::DVec3;
 
 use super::{ViewContext, ViewSpec};
-use crate::analysis::Hold;
 use crate::analysis::half_difference::{HalfDifference, Spherical, half_difference};
 use crate::analysis::inspector::Reading;
-use crate::analysis::inspector::{HalfDifference, Reading, Spherical, half_difference};
 use crate::ui::format;
 use crate::ui::widgets::draw;
-use crate::ui::{format, theme};
 
 /// The list entry.
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "inspector",
     title: "Inspector",
-    what_you_see: "Every material's numbers at the held direction and the one last pointed at in any view; at first the mirror direction",
+    what_you_see: "Every material's numbers at the held direction and the one last pointed at \
+        in any view; at first the mirror direction",
     show,
+    table: None,
+    is_mesh: false,
 };
 
 /// The columns of numbers: name and meaning.
@@ -61,37 +61,27 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let report = report(cx);
     let area = ScrollArea::both().auto_shrink([false, false]);
     area.show(ui, |ui| {
-        egui::Frame::NONE
-            .inner_margin(theme::TILE_MARGIN)
-            .show(ui, |ui| {
-                ui.horizontal_wrapped(|ui| {
-                    for (name, w) in report.angles() {
-                        ui.label(RichText::new(name.0).strong())
-                            .on_hover_text(name.1);
-                        let text = w.map_or_else(|| "-".to_owned(), spherical);
-                        ui.label(text);
-                        ui.add_space(8.0);
-                    }
-                    let hint = "Copy the table as comma-separated values, with all digits";
-                    if ui.small_button("Copy").on_hover_text(hint).clicked() {
-                        ui.ctx().copy_text(report.csv());
-                    }
-                });
-                table(ui, &report);
-            });
+        ui.horizontal_wrapped(|ui| {
+            for (name, w) in report.angles() {
+                ui.label(RichText::new(name.0).strong())
+                    .on_hover_text(name.1);
+                let text = w.map_or_else(|| "-".to_owned(), spherical);
+                ui.label(text);
+                ui.add_space(8.0);
+            }
+            let hint = "Copy the table as comma-separated values, with all digits";
+            if ui.small_button("Copy").on_hover_text(hint).clicked() {
+                ui.ctx().copy_text(report.csv());
+            }
+        });
+        table(ui, &report);
     });
 }
 
 /// The readings at the cursor; at the mirror direction before anything was pointed at.
 fn report(cx: &mut ViewContext<'_>) -> Report {
     let session = &*cx.session;
-    let held = session.held();
-    let mirror = DVec3::new(-held.x, -held.y, held.z);
-    let free = cx.cursor.map_or(mirror, |cursor| cursor.direction);
-    let (wo, wi) = match session.hold {
-        Hold::Light => (free, held),
-        Hold::Viewer => (held, free),
-    };
+    let (wo, wi) = cx.pair();
     let row = |entry| {
         let surface = cx.data.surface(session, entry);
         let color = cx.palette.material(entry.slot());

@@ -1,17 +1,34 @@
 //! The views: one file each, and the one list of them.
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use egui::Ui;
 use glam::DVec3;
 
 use super::data::Data;
-use super::session::{EntryId, MaterialEntry, Session};
-use super::theme::Palette;
-use crate::analysis::{HeldLobe, Hold};
+use super::export::{Format, table};
+use super::memo::{Memo, Same};
+use super::session::{EntryId, MaterialEntry, Materials, Session};
+use super::theme::{Dash, Palette};
+use super::widgets::chart::Mark;
+use super::widgets::pictures::{ColorScale, Textures};
+use super::widgets::{choice, draw};
+use crate::analysis::hemisphere::Map;
+use crate::analysis::{HeldLobe, Hold, polar as section};
 use crate::error::{Error, Result};
 use crate::lab::contract::Witness;
 
+mod cartesian;
+mod decomposition;
+mod hemisphere;
 mod inspector;
 mod lobe3d;
 mod polar;
+mod reflectance;
+mod sampling;
+mod slice;
+mod sphere;
 
 /// A view of the session.
 pub struct ViewSpec {
@@ -23,10 +40,38 @@ pub struct ViewSpec {
     pub what_you_see: &'static str,
     /// Draws it into the space left in the `Ui`.
     pub show: fn(&mut egui::Ui, &mut ViewContext<'_>),
+    /// The numbers behind it.
+    pub table: Option<table::Fill>,
+    /// Whether it is drawn by the graphics processor, so that it has no lines to export.
+    pub is_mesh: bool,
+}
+
+impl ViewSpec {
+    /// Whether there is a file of this kind of it.
+    #[must_use]
+    pub fn has_file(&self, format: Format) -> bool {
+        match format {
+            Format::Png | Format::Toml => true,
+            Format::Svg => !self.is_mesh,
+            Format::Csv => self.table.is_some(),
+            Format::Obj | Format::Gltf => self.is_mesh,
+        }
+    }
 }
 
 /// Every view, in the order of the window.
-pub static VIEWS: [ViewSpec; 3] = [polar::SPEC, lobe3d::SPEC, inspector::SPEC];
+pub static VIEWS: [ViewSpec; 10] = [
+    polar::SPEC,
+    lobe3d::SPEC,
+    cartesian::SPEC,
+    hemisphere::SPEC,
+    reflectance::SPEC,
+    slice::SPEC,
+    sphere::SPEC,
+    sampling::SPEC,
+    decomposition::SPEC,
+    inspector::SPEC,
+];
 
 /// The view with this id.
 ///
@@ -59,14 +104,119 @@ pub struct ViewState {
     drawing: lobe3d::DrawingMemo,
     is_dragging: bool,
     kept_lower_half: Option<bool>,
+    textures: Textures,
+    contours: HashMap<EntryId, Memo<(Same<Map>, ColorScale), Lines>>,
 }
+
+/// Lines of equal value, as places of a picture.
+type Lines = Vec<Vec<[f64; 2]>>;
+
+impl ViewContext<'_> {
+    /// The pair of directions that the pointer was at last, wo and wi; the mirror direction before it was anywhere.
+    fn pair(&self) -> (DVec3, DVec3) {
+        let held = self.session.held();
+        let mirror = DVec3::new(-held.x, -held.y, held.z);
+        let free = self.cursor.map_or(mirror, |cursor| cursor.direction);
+        match self.session.hold {
+            Hold::Light => (free, held),
+            Hold::Viewer => (held, free),
+        }
+    }
+
+    /// Holds one direction of this pair, and points at the other.
+    fn hold_pair(&mut self, wo: DVec3, wi: DVec3) {
+        let (held, free) = match self.session.hold {
+            Hold::Light => (wi, wo),
+            Hold::Viewer => (wo, wi),
+        };
+        self.session.set_held(held);
+        *self.cursor = Some(Cursor {
+            material: self.session.materials.selected().id(),
+            direction: free,
+        });
+    }
+}
+
+/// The directions of the section that have names.
+fn section_marks(session: &Session, palette: &Palette) -> Vec<Mark> {
+    let azimuth = session.section_azimuth_deg().to_radians();
+    let held = section::signed_angle(session.held(), azimuth).to_degrees();
+    let dash = if session.section_holds_held() {
+        Dash::Solid
+    } else {
+        Dash::Dashed
+    };
+    let mark = |name: &str, at: f64, color, dash| Mark {
+        name: name.to_owned(),
+        at,
+        color,
+        dash,
+    };
+    vec![
+        mark(session.held_name(), held, palette.held(session.hold), dash),
+        mark("mirror", -held, palette.mirror, Dash::Dashed),
+        mark("n", 0.0, palette.faint_ink, Dash::Dotted),
+    ]
+}
+
+/// Why no view has anything to show.
+fn nothing_to_show(session: &Session) -> Option<&'static str> {
+    let is_hidden = session.materials.shown().next().is_none();
+    is_hidden.then_some("Every material is hidden")
+}
+
+/// Why a view of values has nothing to show, though there are materials.
+pub(super) fn no_values(session: &Session) -> Option<&'static str> {
+    let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
+    let is_empty = session.materials.shown().all(is_delta);
+    nothing_to_show(session)
+        .or(is_empty.then_some("All light is in Dirac deltas: f and the density are 0 everywhere"))
+}
+
+/// The choice of the material that others are compared with.
+fn reference_choice(ui: &mut Ui, materials: &mut Materials) {
+    let hint = "The material that the others are compared with";
+    let mut chosen = materials.reference().id();
+    let title = materials.title(materials.reference());
+    let shown = draw::clipped(&title, LONGEST_REFERENCE);
+    choice::named_combo(ui, ("Reference", "with", hint), &shown, |ui| {
+        for entry in materials.iter() {
+            ui.selectable_value(&mut chosen, entry.id(), materials.title(entry));
+        }
+    });
+    if chosen != materials.reference().id() {
+        materials.compare_with(chosen);
+    }
+}
+
+/// The most characters of the name of the reference.
+const LONGEST_REFERENCE: usize = 18;
 
 impl ViewState {
     /// To be called before the views of a frame are drawn.
     pub fn begin_frame(&mut self) {
+        self.textures.begin_frame();
         if !std::mem::take(&mut self.is_dragging) {
             self.kept_lower_half = None;
         }
+    }
+
+    /// The contours of a map in a scale, computed anew only where one of them is another one.
+    fn contours(
+        &mut self,
+        entry: EntryId,
+        map: &Arc<Map>,
+        scale: ColorScale,
+        compute: impl FnOnce(&Map) -> Lines,
+    ) -> Arc<Lines> {
+        let key = (Same(Arc::clone(map)), scale);
+        let memo = self.contours.entry(entry).or_default();
+        memo.get(key, || compute(map))
+    }
+
+    /// The picture behind a texture, if it is one of the views'.
+    pub(super) fn image(&self, id: egui::TextureId) -> Option<Arc<egui::ColorImage>> {
+        self.textures.image(id)
     }
 
     /// Whether the views show what is below the surface. While the held direction is dragged they stay as they were:

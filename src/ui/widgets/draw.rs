@@ -4,6 +4,7 @@ use egui::{
     Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke,
     TextStyle, Ui, WidgetInfo, vec2,
 };
+use egui_plot::PlotUi;
 
 use crate::analysis::Channel;
 use crate::analysis::half_difference::Spherical;
@@ -14,6 +15,14 @@ use crate::ui::views::Cursor;
 
 /// Scrolling by this many points zooms by a factor e to this times them.
 pub const ZOOM_PER_POINT: f32 = 0.003;
+
+/// The wheel zooms about the pointer, as in the 3D view; egui_plot would pan.
+pub fn zoom_by_scrolling(plot_ui: &mut PlotUi<'_>) {
+    let scroll = plot_ui.ctx().input(|input| input.smooth_scroll_delta().y);
+    if scroll != 0.0 && plot_ui.response().hovered() {
+        plot_ui.zoom_bounds_around_hovered(egui::Vec2::splat((ZOOM_PER_POINT * scroll).exp()));
+    }
+}
 
 /// The font of labels of secondary rank.
 #[must_use]
@@ -143,6 +152,16 @@ pub fn pointer_note(ui: &Ui, pointer: Pos2, frame: Rect, text: &str, palette: &P
     painter.galley(rect.min + vec2(6.0, 4.0), galley, palette.ink);
 }
 
+/// A note in the middle of the room that is left: why there is nothing to see.
+pub fn centred_note(ui: &mut Ui, text: &str) {
+    let room = ui.available_size();
+    ui.allocate_ui_with_layout(
+        room,
+        egui::Layout::centered_and_justified(egui::Direction::TopDown),
+        |ui| ui.label(text),
+    );
+}
+
 /// A round handle that can be dragged, with its name for tests and screen readers.
 #[must_use]
 pub fn handle(
@@ -169,22 +188,28 @@ pub fn handle(
     response
 }
 
+/// The angles of a direction pointed at; and of which material, where there are several.
+#[must_use]
+pub fn cursor_place(cursor: &Cursor, session: &Session) -> String {
+    let name = if session.materials.is_overlay() {
+        session.materials.title(cursor.entry(session)) + ":  "
+    } else {
+        String::new()
+    };
+    let place = Spherical::of(cursor.direction);
+    format!(
+        "{name}θ {}  φ {}",
+        format::degrees(place.theta_deg),
+        format::degrees(place.phi_deg)
+    )
+}
+
 /// The read-out of a direction: angles and value, per channel where these are shown; and of which material, where there
 /// are several.
 #[must_use]
 pub fn cursor_text(cursor: &Cursor, session: &Session, value: [f64; 3]) -> String {
     let entry = cursor.entry(session);
-    let name = if session.materials.is_overlay() {
-        session.materials.title(entry) + ":  "
-    } else {
-        String::new()
-    };
-    let place = Spherical::of(cursor.direction);
-    let angles = format!(
-        "{name}θ {}  φ {}",
-        format::degrees(place.theta_deg),
-        format::degrees(place.phi_deg)
-    );
+    let angles = cursor_place(cursor, session);
     if entry.material.is_delta_only() {
         return format!("{angles}  f 0, all light is in the deltas");
     }

@@ -1,6 +1,8 @@
 //! Parts of the window that are no view.
 
 pub mod badges;
+pub mod chart;
+pub mod choice;
 pub mod components;
 pub mod directions;
 pub mod draw;
@@ -12,6 +14,7 @@ pub mod notice;
 pub mod options;
 pub mod params;
 pub mod picker;
+pub mod pictures;
 pub mod search;
 pub mod shares;
 pub mod status;

@@ -7,6 +7,7 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
 use super::{Cursor, ViewContext, ViewSpec};
+use crate::ui::export::table;
 use crate::ui::scene3d::{self, HomeView, OrbitCamera, SceneView};
 use crate::ui::session::Session;
 use crate::ui::theme::{Dash, rgba};
@@ -25,8 +26,11 @@ pub(super) use scene::DrawingMemo;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "lobe3d",
     title: "3D lobe",
-    what_you_see: "The lobe over all directions: the distance from the centre is the value f; drag to orbit",
+    what_you_see: "The lobe over all directions: the distance from the centre is the value f; \
+        drag to orbit",
     show,
+    table: Some(table::lobe3d),
+    is_mesh: true,
 };
 
 /// Where axes end, beyond the unit dome.
@@ -125,18 +129,24 @@ fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
         rect.left_bottom() + vec2(6.0, -28.0),
         vec2(rect.width() - 12.0, 22.0),
     );
-    ui.scope_builder(egui::UiBuilder::new().max_rect(strip).id_salt("home views"), |ui| {
-        ui.horizontal(|ui| {
-            for home in HomeView::ALL {
-                let hint = "Look from here; double-click the view to reset, drag to orbit, Shift-drag to pan, scroll to zoom";
-                if ui.small_button(home.label()).on_hover_text(hint).clicked() {
-                    session.camera.home(home);
+    ui.scope_builder(
+        egui::UiBuilder::new().max_rect(strip).id_salt("home views"),
+        |ui| {
+            ui.horizontal(|ui| {
+                for home in HomeView::ALL {
+                    let hint = "Look from here; double-click the view to reset, drag to orbit, \
+                    Shift-drag to pan, scroll to zoom";
+                    if ui.small_button(home.label()).on_hover_text(hint).clicked() {
+                        session.camera.home(home);
+                    }
                 }
-            }
-            let hint = "Draw theta, phi and the projection of the held direction onto the surface, whose length is sin theta";
-            ui.toggle_value(&mut session.show_geometry, "Angles").on_hover_text(hint);
-        });
-    });
+                let hint = "Draw theta, phi and the projection of the held direction onto the \
+                surface, whose length is sin theta";
+                ui.toggle_value(&mut session.show_geometry, "Angles")
+                    .on_hover_text(hint);
+            });
+        },
+    );
 }
 
 /// The handle of the held direction on the dome. Returns whether it is being dragged.

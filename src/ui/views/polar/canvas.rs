@@ -12,7 +12,7 @@ use crate::analysis::lobe::Arrow;
 use crate::analysis::polar::{self, Point, Section};
 use crate::ui::session::{Curves, Session, Slot};
 use crate::ui::theme::Dash;
-use crate::ui::widgets::draw;
+use crate::ui::widgets::{chart, draw};
 use crate::ui::{format, theme};
 
 /// Radius of the angle labels.
@@ -70,24 +70,6 @@ fn arcs(section: &Section) -> impl Iterator<Item = &Vec<Point>> {
         .filter(|arc| !arc.is_empty())
 }
 
-/// The line of a curve: that of the material, or of the channel where these are told apart.
-fn dash(channel: Channel, slot: Slot) -> Dash {
-    match channel {
-        Channel::Luminance => Dash::of(slot),
-        Channel::Red => Dash::Solid,
-        Channel::Green => Dash::Dashed,
-        Channel::Blue => Dash::Dotted,
-    }
-}
-
-fn style(dash: Dash) -> LineStyle {
-    match dash {
-        Dash::Solid => LineStyle::Solid,
-        Dash::Dashed => LineStyle::dashed_loose(),
-        Dash::Dotted => LineStyle::dotted_dense(),
-    }
-}
-
 /// Where channels are equal, the later curve leaves the earlier one visible at its sides.
 fn stroke(channel: Channel, slot: Slot, palette: &theme::Palette) -> Stroke {
     let width = match channel {
@@ -107,7 +89,7 @@ pub(super) fn draw_curves(
     palette: &theme::Palette,
 ) {
     for channel in session.shown_curves().channels() {
-        let style = style(dash(*channel, plotted.slot));
+        let style = chart::style(Dash::of_channel(*channel, plotted.slot));
         for arc in arcs(&plotted.section) {
             let curve = arc
                 .iter()
@@ -303,7 +285,7 @@ impl Canvas<'_> {
             let ends = [left, left + vec2(theme::LINE_SAMPLE, 0.0)];
             let painter = self.painter();
             let stroke = stroke(*channel, slot, palette);
-            draw::line(&painter, ends, stroke, dash(*channel, slot));
+            draw::line(&painter, ends, stroke, Dash::of_channel(*channel, slot));
             let place = left + vec2(theme::LINE_SAMPLE + 6.0, 0.0);
             painter.text(
                 place,

@@ -1,11 +1,12 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
 use egui::{Ui, vec2};
-use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi};
+use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
 use glam::DVec3;
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::polar;
+use crate::ui::export::table;
 use crate::ui::session::{MaterialEntry, Session, wrapped_deg};
 use crate::ui::theme::Dash;
 use crate::ui::widgets::draw;
@@ -20,8 +21,11 @@ mod radial;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "polar",
     title: "Polar plot",
-    what_you_see: "A section of the lobe through the normal n: the length of a ray is the value f in its direction",
+    what_you_see: "A section of the lobe through the normal n: the length of a ray is the \
+        value f in its direction",
     show,
+    table: Some(table::polar),
+    is_mesh: false,
 };
 
 /// The room beside the plot's unit circle that labels need, and above it.
@@ -58,7 +62,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .label_formatter(|_| None);
     let palette = *cx.palette;
     let response = plot.show(ui, |plot_ui| {
-        zoom_by_scrolling(plot_ui);
+        draw::zoom_by_scrolling(plot_ui);
         canvas::draw_grid(plot_ui, &radial, &palette, has_lower);
         for one in &plotted {
             canvas::draw_curves(plot_ui, cx.session, one, &radial, &palette);
@@ -132,15 +136,6 @@ fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
     let mut plotted: Vec<Plotted> = session.materials.shown().map(plot).collect();
     plotted.sort_by_key(|one| one.is_selected);
     plotted
-}
-
-/// The wheel zooms about the pointer, as in the 3D view; egui_plot would pan.
-fn zoom_by_scrolling(plot_ui: &mut PlotUi<'_>) {
-    let scroll = plot_ui.ctx().input(|input| input.smooth_scroll_delta().y);
-    if scroll != 0.0 && plot_ui.response().hovered() {
-        plot_ui
-            .zoom_bounds_around_hovered(egui::Vec2::splat((draw::ZOOM_PER_POINT * scroll).exp()));
-    }
 }
 
 /// Why there is less to see than one might expect.

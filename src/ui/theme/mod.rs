@@ -1,0 +1,166 @@
+//! Every colour and size of the window.
+
+use egui::{FontFamily, FontId, TextStyle, Theme, Vec2};
+
+use super::scene3d::Rgba;
+use super::session::Slot;
+use crate::analysis::Channel;
+pub use maps::*;
+pub use palette::Palette;
+
+mod maps;
+mod palette;
+
+/// The size of the window at first, in points.
+pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);
+/// The smallest size of the window, in points.
+pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(920.0, 600.0);
+/// Below this size, in points, the panels leave no room for the views.
+pub const USABLE_SIZE: Vec2 = Vec2::new(400.0, 240.0);
+/// The width of the panel with models and parameters.
+pub const SIDE_WIDTH: f32 = 292.0;
+/// The room that a scroll bar takes when the pointer is near, in points.
+pub const SCROLL_ROOM: f32 = 12.0;
+/// Room between the edge of a tile and its view.
+pub const TILE_MARGIN: f32 = 4.0;
+/// Height of the bar with the names of the views in a tile.
+pub const TAB_BAR_HEIGHT: f32 = 24.0;
+/// The width of a drop-down, in points.
+pub const COMBO_WIDTH: f32 = 118.0;
+/// The width of a drop-down of short words in a bar, in points.
+pub const SHORT_COMBO_WIDTH: f32 = 88.0;
+/// The width of the number beside a slider, in points.
+pub const NUMBER_WIDTH: f32 = 52.0;
+/// The width of the reset button at the end of a row, in points.
+pub const RESET_WIDTH: f32 = 18.0;
+/// The least width of a slider, in points.
+pub const SHORTEST_SLIDER: f32 = 40.0;
+/// The side of a material's picture in the list, in points.
+pub const THUMBNAIL_SIZE: f32 = 36.0;
+/// The size of the bar of shares, in points.
+pub const SHARE_BAR: Vec2 = Vec2::new(120.0, 12.0);
+/// The size of a sample of a colour in a legend, in points.
+pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
+/// The largest size of the help, in points.
+pub const HELP_SIZE: Vec2 = Vec2::new(560.0, 560.0);
+/// The room around the help, in points.
+pub const HELP_MARGIN: f32 = 80.0;
+/// The width of the column of keys in the help, in points.
+pub const HELP_KEYS_WIDTH: f32 = 200.0;
+/// The width of the search of the commands and the height of its list, in points.
+pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
+/// The height of a row of a legend, in points.
+pub const LEGEND_ROW: f32 = 17.0;
+/// The size of the grip by which a row is dragged, in points.
+pub const GRIP: Vec2 = Vec2::new(12.0, 16.0);
+/// The room between badges, and between the edge and the text of one.
+pub const BADGE_SPACING: (Vec2, Vec2) = (Vec2::new(3.0, 2.0), Vec2::new(2.0, 0.0));
+/// The room between name, badge and menu in a row of the list of materials, in points.
+pub const ROW_SPACING: f32 = 1.0;
+/// The height of a badge, in points.
+pub const BADGE_HEIGHT: f32 = 15.0;
+/// The strength of the colour of a material that is not shown.
+pub const HIDDEN_STRENGTH: f32 = 0.35;
+/// The most characters of a name.
+pub const LONGEST_NAME: usize = 60;
+/// The length of a sample of a line, in points.
+pub const LINE_SAMPLE: f32 = 24.0;
+/// Lengths of a dash and of the gap after it, in points.
+pub const DASH: [f32; 2] = [7.0, 4.5];
+/// The distance between the dots of a dotted line and their radius, in points.
+pub const DOTS: [f32; 2] = [5.0, 1.4];
+/// The distance between the lines of a hatch, in points.
+pub const HATCH_STEP: f32 = 5.0;
+/// The width of the lines of a hatch, in points.
+pub const HATCH_WIDTH: f32 = 1.5;
+/// Width of the curve of a lobe.
+pub const CURVE_WIDTH: f32 = 2.0;
+/// Radius of a handle that can be dragged.
+pub const HANDLE_RADIUS: f32 = 7.0;
+/// Alpha of a lobe one sees through, 0..255.
+pub const SEE_THROUGH_ALPHA: u8 = 120;
+
+/// How a line is drawn: colour never carries meaning alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Dash {
+    /// Unbroken.
+    Solid,
+    /// Of dashes.
+    Dashed,
+    /// Of dots.
+    Dotted,
+}
+
+impl Dash {
+    /// The line of a material. Neighbours in the palette differ in it, and with seven colours no two of the first
+    /// twenty-one materials have both in common.
+    #[must_use]
+    pub fn of(slot: Slot) -> Self {
+        match slot.0 % 3 {
+            0 => Self::Solid,
+            1 => Self::Dashed,
+            _ => Self::Dotted,
+        }
+    }
+
+    /// The line of a curve: that of its material, or of the channel where these are told apart.
+    #[must_use]
+    pub fn of_channel(channel: Channel, slot: Slot) -> Self {
+        match channel {
+            Channel::Luminance => Self::of(slot),
+            Channel::Red => Self::Solid,
+            Channel::Green => Self::Dashed,
+            Channel::Blue => Self::Dotted,
+        }
+    }
+
+    /// The line of the part at `index` of a whole.
+    #[must_use]
+    pub fn of_part(index: usize) -> Self {
+        match index % 3 {
+            0 => Self::Solid,
+            1 => Self::Dashed,
+            _ => Self::Dotted,
+        }
+    }
+}
+
+/// Sets text sizes and spacing for both themes.
+pub fn apply(ctx: &egui::Context) {
+    ctx.all_styles_mut(|style| {
+        let font = |size: f32| FontId::new(size, FontFamily::Proportional);
+        style.text_styles.insert(TextStyle::Heading, font(17.0));
+        style.text_styles.insert(TextStyle::Body, font(13.5));
+        style.text_styles.insert(TextStyle::Button, font(13.5));
+        style.text_styles.insert(TextStyle::Small, font(11.5));
+        style.spacing.item_spacing = Vec2::new(7.0, 5.0);
+        style.spacing.slider_width = 118.0;
+        style.spacing.interact_size.y = 20.0;
+    });
+    for theme in [Theme::Dark, Theme::Light] {
+        let palette = Palette::of(theme);
+        ctx.style_mut_of(theme, |style| {
+            style.visuals.override_text_color = Some(palette.ink);
+            style.visuals.weak_text_color = Some(palette.faint_ink);
+            style.visuals.extreme_bg_color = palette.background;
+            style.visuals.error_fg_color = palette.warning;
+            style.visuals.slider_trailing_fill = true;
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn twenty_one_materials_are_told_apart() {
+        for palette in [Theme::Dark, Theme::Light].map(Palette::of) {
+            let look = |slot: u8| (palette.material(Slot(slot)), Dash::of(Slot(slot)));
+            for a in 0..21 {
+                assert!((0..a).all(|b| look(a) != look(b)), "{a}");
+                assert_ne!(Dash::of(Slot(a)), Dash::of(Slot(a + 1)));
+            }
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! The Cartesian plot: f over an angle.
+
+use egui::Ui;
+
+use super::{Cursor, ViewContext, ViewSpec};
+use crate::analysis::cartesian::{self, Abscissa, Curve};
+use crate::analysis::half_difference::half_difference;
+use crate::analysis::{Channel, HeldLobe, polar};
+use crate::ui::export::table;
+use crate::ui::format;
+use crate::ui::session::{DECADES, MaterialEntry, Session};
+use crate::ui::theme::{self, Dash, Palette};
+use crate::ui::widgets::chart::{Axis, Chart, Series, Shown};
+use crate::ui::widgets::legend::{self, Sample};
+use crate::ui::widgets::{choice, draw};
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "cartesian",
+    title: "Cartesian plot",
+    what_you_see: "The value f over an angle, as papers print it: peaks, tails and what two \
+        models differ by",
+    show,
+    table: Some(table::cartesian),
+    is_mesh: false,
+};
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    controls(ui, cx.session);
+    legend::show(ui, Sample::Line, cx.session, cx.palette);
+    if let Some(note) = super::no_values(cx.session) {
+        draw::centred_note(ui, note);
+        return;
+    }
+    let chart = chart(cx);
+    let shown = chart.show(ui, None, cx.palette);
+    match cx.session.views.cartesian.abscissa {
+        Abscissa::Free => point_at_direction(ui, cx, &chart, &shown),
+        Abscissa::Half | Abscissa::Difference => point_at_pair(ui, cx, &chart, &shown),
+    }
+}
+
+fn controls(ui: &mut Ui, session: &mut Session) {
+    let options = &mut session.views.cartesian;
+    ui.horizontal_wrapped(|ui| {
+        let hint = "Over which angle f is drawn: the free direction's in the section, or the \
+            angles of half vector and difference";
+        choice::choice(
+            ui,
+            ("Over", hint),
+            &mut options.abscissa,
+            &Abscissa::ALL,
+            Abscissa::title,
+        );
+        match options.abscissa {
+            Abscissa::Free => {}
+            Abscissa::Half => {
+                let hint = "The angle between the light and the half vector, which stays";
+                choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, 0.0..=90.0);
+            }
+            Abscissa::Difference => {
+                let hint = "The angle between n and the half vector, which stays";
+                choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, 0.0..=90.0);
+            }
+        }
+        let hint = "Values by decades below the highest: shows the tails";
+        choice::switch_if(
+            !options.is_residual,
+            ui,
+            ("By decades", hint),
+            &mut options.is_logarithmic,
+        );
+        let hint = "Each curve divided by its own peak: compares shapes";
+        choice::switch(ui, ("To the peak", hint), &mut options.is_normalised);
+        let hint = "The value less that of the reference material";
+        choice::switch(ui, ("Residual", hint), &mut options.is_residual);
+        if options.is_residual {
+            super::reference_choice(ui, &mut session.materials);
+        }
+    });
+}
+
+/// The chart of every material shown.
+fn chart(cx: &mut ViewContext<'_>) -> Chart {
+    let (session, data, palette) = (&*cx.session, &mut *cx.data, cx.palette);
+    let options = session.views.cartesian;
+    let request = session.cartesian_request();
+    let reference = options.is_residual.then(|| session.materials.reference());
+    let mut series = Vec::new();
+    for entry in session.materials.shown() {
+        let curve = data.compare(session, entry, reference, request);
+        for channel in session.shown_curves().channels() {
+            series.push(line(session, entry, &curve, *channel, palette));
+        }
+    }
+    let values = || {
+        series
+            .iter()
+            .flat_map(|one| one.lines.iter().flatten())
+            .map(|[_, y]| *y)
+    };
+    let ends = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+    let decades = request.scale.is_logarithmic().then_some(DECADES);
+    let y = Axis::of_values(value_name(session), ends, decades);
+    let mut chart = Chart::of("Cartesian plot", [x_axis(session), y], series);
+    if options.abscissa == Abscissa::Free {
+        chart.marks = super::section_marks(session, palette);
+    }
+    chart
+}
+
+/// One curve of a material.
+fn line(
+    session: &Session,
+    entry: &MaterialEntry,
+    curve: &Curve,
+    channel: Channel,
+    palette: &Palette,
+) -> Series {
+    let shown = |point: &cartesian::Point| [point.x_deg, channel.of(point.value)];
+    let mut lines: Vec<Vec<[f64; 2]>> = curve
+        .lines
+        .iter()
+        .map(|line| line.iter().map(shown).collect())
+        .collect();
+    if session.views.cartesian.is_normalised {
+        let values = lines.iter().flatten().map(|[_, y]| y.abs());
+        let peak = values.fold(0.0, f64::max);
+        if peak > 0.0 {
+            lines.iter_mut().flatten().for_each(|[_, y]| *y /= peak);
+        }
+    }
+    let title = session.materials.title(entry);
+    Series {
+        name: match channel.symbol() {
+            Some(symbol) => format!("{title} {symbol}"),
+            None => title,
+        },
+        color: palette.channel(channel, entry.slot()),
+        dash: Dash::of_channel(channel, entry.slot()),
+        width: theme::CURVE_WIDTH,
+        lines,
+    }
+}
+
+/// The name of what is drawn upwards, with its unit.
+fn value_name(session: &Session) -> String {
+    let options = session.views.cartesian;
+    let quantity = if session.with_cosine {
+        "f |cos θ|"
+    } else {
+        "f"
+    };
+    let reference = session.materials.title(session.materials.reference());
+    match (options.is_residual, options.is_normalised) {
+        (false, false) => format!("{quantity} (1/sr)"),
+        (false, true) => format!("{quantity} over its peak"),
+        (true, false) => format!("{quantity} less that of {reference} (1/sr)"),
+        (true, true) => format!("{quantity} less that of {reference}, over its peak"),
+    }
+}
+
+/// The axis to the right.
+fn x_axis(session: &Session) -> Axis {
+    let options = session.views.cartesian;
+    let fixed = format::degrees(options.fixed_deg);
+    match options.abscissa {
+        Abscissa::Free => {
+            let end = if session.shows_lower_half() {
+                180.0
+            } else {
+                90.0
+            };
+            let free = session.free_name();
+            let azimuth = format::degrees(session.section_azimuth_deg());
+            let name = format!("θ of the {free} in the section at azimuth {azimuth} (degrees)");
+            Axis::degrees(name, [-end, end])
+        }
+        Abscissa::Half => {
+            let name = format!("θh, the half vector's angle from n, at θd {fixed} (degrees)");
+            Axis::degrees(name, [0.0, 90.0])
+        }
+        Abscissa::Difference => {
+            let name =
+                format!("θd, the light's angle from the half vector, at θh {fixed} (degrees)");
+            Axis::degrees(name, [0.0, 90.0])
+        }
+    }
+}
+
+/// The pointer over angles of the free direction points at it; elsewhere the direction pointed at is marked.
+fn point_at_direction(ui: &Ui, cx: &mut ViewContext<'_>, chart: &Chart, shown: &Shown) {
+    let azimuth = cx.session.section_azimuth_deg().to_radians();
+    let pointed = chart.pointed(shown).filter(|[x, _]| x.abs() <= 180.0);
+    let Some([x, _]) = pointed else {
+        if let Some(cursor) = &*cx.cursor {
+            let x = polar::signed_angle(cursor.direction, azimuth).to_degrees();
+            chart.mark(ui, shown, x, cx.palette);
+        }
+        return;
+    };
+    let heading = format!("θ {}", format::degrees(x));
+    chart.read_out(ui, shown, x, &heading, cx.palette);
+    *cx.cursor = Some(Cursor {
+        material: cx.session.materials.selected().id(),
+        direction: polar::direction(x.to_radians(), azimuth),
+    });
+}
+
+/// Over half and difference angles a click holds the pair of directions that has them.
+fn point_at_pair(ui: &Ui, cx: &mut ViewContext<'_>, chart: &Chart, shown: &Shown) {
+    let request = cx.session.cartesian_request();
+    let (wo, wi) = cx.pair();
+    let place = half_difference(wo, wi);
+    let Some([x, _]) = chart
+        .pointed(shown)
+        .filter(|[x, _]| (0.0..=90.0).contains(x))
+    else {
+        if let Some(pair) = place {
+            let x = match request.abscissa {
+                Abscissa::Difference => pair.difference.theta_deg,
+                _ => pair.half.theta_deg,
+            };
+            chart.mark(ui, shown, x, cx.palette);
+        }
+        return;
+    };
+    let heading = format!("{} {}", request.abscissa.title(), format::degrees(x));
+    chart.read_out(ui, shown, x, &heading, cx.palette);
+    if shown.response.clicked() {
+        let session = &*cx.session;
+        let surface = cx.data.surface(session, session.materials.selected());
+        let lobe = HeldLobe::new(&*surface.bxdf, session.hold, session.held());
+        let (wo, wi) = request.pair_at(&lobe, x);
+        cx.hold_pair(wo, wi);
+    }
+}

@@ -1,0 +1,391 @@
+//! The hemisphere: values in every direction of one side of the surface, as colours on a disc.
+
+use std::sync::Arc;
+
+use egui::{Align2, Rect, Response, Shape, Ui};
+use glam::DVec3;
+
+use super::{Cursor, ViewContext, ViewSpec};
+use crate::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
+use crate::analysis::{Channel, HeldLobe, Subject};
+use crate::bxdf::math::frame;
+use crate::ui::export::table;
+use crate::ui::format;
+use crate::ui::session::{DECADES, EntryId, MaterialEntry, Session};
+use crate::ui::theme::Palette;
+use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
+use crate::ui::widgets::{choice, draw};
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "hemisphere",
+    title: "Hemisphere",
+    what_you_see: "The value in every direction of one side: n in the middle, the horizon at \
+        the rim, colours for values",
+    show,
+    table: Some(table::hemisphere),
+    is_mesh: false,
+};
+
+/// Room for labels around a disc, in points.
+const LABELS: f32 = 15.0;
+
+/// The circles drawn, in degrees from n.
+const CIRCLES_DEG: [f64; 2] = [30.0, 60.0];
+
+/// The largest ratio that colours tell apart.
+const LARGEST_RATIO: f64 = 100.0;
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    controls(ui, cx.session);
+    if let Some(note) = super::no_values(cx.session) {
+        draw::centred_note(ui, note);
+        return;
+    }
+    let maps = maps(cx);
+    let options = cx.session.views.hemisphere;
+    let range = maps
+        .iter()
+        .map(|(_, map)| map.range(Channel::Luminance))
+        .reduce(Range::with)
+        .filter(|range| range.is_some());
+    let Some(scale) = range.map(|range| scale(range, cx.session)) else {
+        let side = if options.is_lower { "below" } else { "above" };
+        draw::centred_note(ui, &format!("No light leaves on the side {side}"));
+        return;
+    };
+    let room = ui.available_rect_before_wrap();
+    let room = pictures::color_bar(ui, room, scale, &quantity_name(cx.session), cx.palette);
+    for (index, cell) in pictures::cells(room, maps.len(), 1.0)
+        .into_iter()
+        .enumerate()
+    {
+        if let Some((entry, map)) = maps.get(index) {
+            let disc = Cell {
+                picture: cell.picture.shrink(LABELS),
+                ..cell
+            };
+            show_map(ui, cx, disc, (*entry, map), scale);
+            if index == 0 {
+                drag_held(ui, cx, disc.picture);
+            }
+        }
+    }
+    ui.advance_cursor_after_rect(room);
+}
+
+fn controls(ui: &mut Ui, session: &mut Session) {
+    let options = &mut session.views.hemisphere;
+    ui.horizontal_wrapped(|ui| {
+        let hint = "Which number: the value, with the cosine, the density of the sampler, or \
+            what a sample weighs";
+        choice::choice(
+            ui,
+            ("Show", hint),
+            &mut options.quantity,
+            &Quantity::ALL,
+            Quantity::title,
+        );
+        let hint = "By itself, or compared with the reference";
+        choice::choice(
+            ui,
+            ("Compared", hint),
+            &mut options.comparison,
+            &Comparison::ALL,
+            Comparison::title,
+        );
+        if options.comparison != Comparison::None {
+            super::reference_choice(ui, &mut session.materials);
+        }
+        let hint = "How directions lie on the disc";
+        choice::choice(
+            ui,
+            ("Disc", hint),
+            &mut options.projection,
+            &Projection::ALL,
+            Projection::title,
+        );
+        let hint = "Colours by decades below the highest value";
+        choice::switch_if(
+            options.comparison == Comparison::None,
+            ui,
+            ("By decades", hint),
+            &mut options.is_logarithmic,
+        );
+        let hint = "Lines of equal value";
+        choice::switch(ui, ("Contours", hint), &mut options.has_contours);
+        let hint = "The side below the surface, seen from above";
+        choice::switch(ui, ("Lower half", hint), &mut options.is_lower);
+    });
+}
+
+/// The maps of the materials shown; where they are compared, the reference is none of them, unless it is alone.
+fn maps(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Map>)> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let reference = session.materials.reference();
+    let is_compared = session.views.hemisphere.comparison != Comparison::None;
+    let is_only = session.materials.shown().count() == 1;
+    let wanted = |entry: &&MaterialEntry| !is_compared || is_only || entry.id() != reference.id();
+    let against = is_compared.then_some(reference);
+    let map = |entry: &MaterialEntry| {
+        (
+            entry.id(),
+            data.compare(session, entry, against, session.hemisphere_request()),
+        )
+    };
+    session.materials.shown().filter(wanted).map(map).collect()
+}
+
+/// The colours of values that reach so far.
+fn scale(range: Range, session: &Session) -> ColorScale {
+    let options = session.views.hemisphere;
+    let largest = range.highest.max(f64::MIN_POSITIVE);
+    match options.comparison {
+        Comparison::None if options.is_logarithmic => ColorScale {
+            // Zeros lie at the low end, whatever it is.
+            range: [
+                range
+                    .smallest_positive
+                    .clamp(largest * 10_f64.powf(-DECADES), 0.5 * largest),
+                largest,
+            ],
+            kind: ScaleKind::Logarithmic,
+        },
+        Comparison::None => ColorScale {
+            range: [0.0, largest],
+            kind: ScaleKind::Linear,
+        },
+        Comparison::Difference => {
+            let end = range
+                .highest
+                .abs()
+                .max(range.lowest.abs())
+                .max(f64::MIN_POSITIVE);
+            ColorScale {
+                range: [-end, end],
+                kind: ScaleKind::Diverging,
+            }
+        }
+        Comparison::Ratio => {
+            let end = largest
+                .max(1.0 / range.smallest_positive)
+                .clamp(1.01, LARGEST_RATIO);
+            ColorScale {
+                range: [1.0 / end, end],
+                kind: ScaleKind::DivergingLogarithmic,
+            }
+        }
+    }
+}
+
+/// What the colours mean, with the unit.
+fn quantity_name(session: &Session) -> String {
+    let options = session.views.hemisphere;
+    let (title, unit) = (options.quantity.title(), options.quantity.unit());
+    match options.comparison {
+        Comparison::Ratio => format!("ratio of {title}"),
+        Comparison::Difference if unit.is_empty() => format!("difference of {title}"),
+        Comparison::Difference => format!("difference of {title}, {unit}"),
+        Comparison::None if unit.is_empty() => title.to_owned(),
+        Comparison::None => format!("{title}, {unit}"),
+    }
+}
+
+/// A place of the unit disc in the picture, x to the right and y up, as a share from its upper left; and back.
+fn mirrored([x, y]: [f64; 2]) -> [f64; 2] {
+    [0.5 + 0.5 * x, 0.5 - 0.5 * y]
+}
+
+fn show_map(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    cell: Cell,
+    (entry, map): (EntryId, &Arc<Map>),
+    scale: ColorScale,
+) {
+    let picture = Picture {
+        entry,
+        sources: vec![Arc::clone(map) as _],
+        look: Some(scale),
+    };
+    let textures = &mut cx.state.textures;
+    let paint = || scale.paint(&map.channel(Channel::Luminance));
+    let response = pictures::show(ui, textures, cell, picture, cx.session, cx.palette, paint);
+    if cx.session.views.hemisphere.has_contours {
+        draw_contours(ui, cx, cell.picture, (entry, map), scale);
+    }
+    draw_grid(ui, cx.session, cell.picture, cx.palette);
+    draw_directions(ui, cx.session, cell.picture, cx.palette);
+    point(ui, cx, cell.picture, entry, &response);
+}
+
+fn draw_contours(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    rect: Rect,
+    (entry, map): (EntryId, &Arc<Map>),
+    scale: ColorScale,
+) {
+    let [low, high] = scale.range;
+    let lines = cx.state.contours(entry, map, scale, |map| {
+        let values = map.channel(Channel::Luminance);
+        let levels = contour::levels(low, high, scale.kind == ScaleKind::Logarithmic);
+        let lines = levels
+            .into_iter()
+            .map(|level| contour::lines(&values, level));
+        lines.flatten().collect()
+    });
+    let painter = ui.painter_at(rect);
+    let is_on_white =
+        scale.kind == ScaleKind::Diverging || scale.kind == ScaleKind::DivergingLogarithmic;
+    let color = if is_on_white {
+        cx.palette.contour_on_white
+    } else {
+        cx.palette.contour
+    };
+    let stroke = (0.8, color);
+    for line in lines.iter() {
+        let points = line.iter().map(|place| pictures::position_of(rect, *place));
+        painter.add(Shape::line(points.collect(), egui::Stroke::from(stroke)));
+    }
+}
+
+/// Circles of equal angle from n, the axes and their names.
+fn draw_grid(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
+    let painter = ui.painter();
+    let projection = session.views.hemisphere.projection;
+    let (centre, radius) = (rect.center(), 0.5 * rect.width());
+    let font = draw::small_font(ui);
+    painter.circle_stroke(centre, radius, (1.0, palette.axis));
+    for theta in CIRCLES_DEG {
+        let [x, _] = projection.place(frame::direction_from_degrees(theta, 0.0));
+        let at = x as f32 * radius;
+        painter.circle_stroke(centre, at, (0.6, palette.axis));
+        if radius > 70.0 {
+            let place = centre + egui::vec2(0.0, at);
+            let text = format::degrees(theta);
+            draw::haloed_text(
+                painter,
+                place,
+                Align2::CENTER_CENTER,
+                &text,
+                font.clone(),
+                palette.faint_ink,
+                palette,
+            );
+        }
+    }
+    let [right, top] = [rect.right_center(), rect.center_top()];
+    painter.text(
+        right + egui::vec2(4.0, 0.0),
+        Align2::LEFT_CENTER,
+        "s",
+        font.clone(),
+        palette.ink,
+    );
+    painter.text(
+        top - egui::vec2(0.0, 2.0),
+        Align2::CENTER_BOTTOM,
+        "t",
+        font,
+        palette.ink,
+    );
+}
+
+/// The mirror direction and the held one, where they are on the side shown.
+fn draw_directions(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
+    let painter = ui.painter();
+    let held = session.held();
+    let mirror = DVec3::new(-held.x, -held.y, held.z);
+    for (w, color) in [(mirror, palette.mirror), (held, palette.held(session.hold))] {
+        let place = session.views.hemisphere.projection.place(w);
+        let at = pictures::position_of(rect, mirrored(place));
+        if (w.z > 0.0) == session.views.hemisphere.is_lower {
+            // On the other side of the surface: where it would be seen through it.
+            painter.circle_stroke(at, 4.0, (1.0, color));
+        } else {
+            painter.circle(at, 4.0, color, (1.5, palette.background));
+        }
+    }
+}
+
+/// The handle of the held direction.
+fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
+    let options = cx.session.views.hemisphere;
+    let held = cx.session.held();
+    if (held.z > 0.0) == options.is_lower {
+        return;
+    }
+    let at = pictures::position_of(rect, mirrored(options.projection.place(held)));
+    let (color, id) = (cx.palette.held(cx.session.hold), ui.scope_id().with("held"));
+    let handle = draw::handle(
+        ui,
+        at,
+        id,
+        "Held direction in the hemisphere",
+        color,
+        cx.palette,
+    );
+    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
+        let [x, y] = pictures::share_of(rect, pointer).map(|share| 2.0 * share - 1.0);
+        let reach = x.hypot(-y).max(1.0);
+        let place = [x / reach, -y / reach];
+        if let Some(w) = options.projection.direction(place, !options.is_lower) {
+            cx.session.set_held(w);
+            ui.ctx().request_repaint();
+        }
+    }
+}
+
+/// The direction under the pointer; the one pointed at in another view.
+fn point(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, entry: EntryId, response: &Response) {
+    let options = cx.session.views.hemisphere;
+    let Some(pointer) = response.hover_pos() else {
+        if let Some(cursor) = &*cx.cursor
+            && (cursor.direction.z > 0.0) != options.is_lower
+        {
+            let place = options.projection.place(cursor.direction);
+            let at = pictures::position_of(rect, mirrored(place));
+            ui.painter().circle_stroke(at, 5.0, (1.5, cx.palette.ink));
+        }
+        return;
+    };
+    let [x, y] = pictures::share_of(rect, pointer).map(|share| 2.0 * share - 1.0);
+    let Some(direction) = options.projection.direction([x, -y], !options.is_lower) else {
+        return;
+    };
+    let cursor = Cursor {
+        material: entry,
+        direction,
+    };
+    let text = read_out(cx, &cursor);
+    draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
+    *cx.cursor = Some(cursor);
+}
+
+/// The value at the cursor, as the map has it.
+fn read_out(cx: &mut ViewContext<'_>, cursor: &Cursor) -> String {
+    let session = &*cx.session;
+    let (entry, reference) = (cursor.entry(session), session.materials.reference());
+    let [surface, other] = [entry, reference].map(|entry| cx.data.surface(session, entry));
+    let lobe = |surface| HeldLobe::new(surface, session.hold, session.held());
+    let subject = Subject {
+        against: Some(lobe(&*other.bxdf)),
+        ..Subject::of(lobe(&*surface.bxdf))
+    };
+    let values = session
+        .hemisphere_request()
+        .values(&subject, &[cursor.direction]);
+    let value = values.and_then(|values| values.first().copied());
+    let value = value.map_or(f64::NAN, |rgb| Channel::Luminance.of(rgb));
+    let value = if value.is_finite() {
+        format::value(value)
+    } else {
+        "not defined".to_owned()
+    };
+    format!(
+        "{}\n{}  {value}",
+        draw::cursor_place(cursor, session),
+        quantity_name(session)
+    )
+}

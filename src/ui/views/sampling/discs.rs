@@ -1,0 +1,336 @@
+//! The sampling on discs of directions: samples, the warp of the square, the histogram.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use egui::{Align2, Pos2, Rect, Shape, Stroke, Ui, vec2};
+use glam::DVec3;
+
+use super::super::ViewContext;
+use super::color_of;
+use crate::analysis::hemisphere::Projection;
+use crate::analysis::raster::Raster;
+use crate::analysis::sampling::{Cell as Bin, Histogram, Warp, WarpRequest};
+use crate::bxdf::math::frame;
+use crate::ui::format;
+use crate::ui::scene3d::OrbitCamera;
+use crate::ui::session::{EntryId, MaterialEntry, SamplingPlot, Session};
+use crate::ui::theme::Palette;
+use crate::ui::widgets::draw;
+use crate::ui::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
+
+/// How directions lie on the discs.
+const DISC: Projection = Projection::EqualArea;
+
+/// Room for labels around a disc, in points.
+const LABELS: f32 = 14.0;
+
+/// Cells of the grid of random numbers, along either side.
+const WARP_CELLS: usize = 16;
+
+/// The most samples drawn as dots: more are a blot.
+const MOST_DOTS: usize = 4096;
+
+/// Pixels along either side of a histogram.
+const HISTOGRAM_SIZE: usize = 192;
+
+/// The ends of the colours of a histogram, in standard deviations of the expected number.
+const DEVIATIONS: f64 = 4.0;
+
+/// Narrower discs have room for the chance only, in points.
+const ROOM_FOR_TEST: f32 = 180.0;
+
+/// Below this chance the samples do not follow the density: one in ten thousand by bad luck.
+const SUSPICIOUS: f64 = 1e-4;
+
+/// Draws into the disc of one material.
+type DrawDisc = fn(&Ui, &mut ViewContext<'_>, &Disc, EntryId);
+
+/// A disc for each material, n in its middle, what goes below the surface seen through it.
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, draw_disc: DrawDisc) {
+    let room = ui.available_rect_before_wrap();
+    let mut discs = room;
+    if cx.session.views.sampling.plot == SamplingPlot::Histogram {
+        discs = pictures::color_bar(ui, room, deviations(), "standard deviations", cx.palette);
+    }
+    let ids: Vec<EntryId> = cx
+        .session
+        .materials
+        .shown()
+        .map(MaterialEntry::id)
+        .collect();
+    for (cell, entry) in pictures::cells(discs, ids.len(), 1.0).into_iter().zip(ids) {
+        let disc = Cell {
+            picture: cell.picture.shrink(LABELS),
+            ..cell
+        };
+        pictures::title(ui, cell, entry, cx.session, cx.palette);
+        let disc = Disc::of(disc.picture, cx.session);
+        draw_disc(ui, cx, &disc, entry);
+        disc.frame(ui, cx.session, cx.palette);
+    }
+    ui.advance_cursor_after_rect(room);
+}
+
+/// Where directions lie in a picture: on a disc, n in its middle, or on the dome as the 3D view shows it.
+pub(super) struct Disc {
+    rect: Rect,
+    /// The camera that looks at the dome.
+    camera: Option<OrbitCamera>,
+}
+
+impl Disc {
+    fn of(rect: Rect, session: &Session) -> Self {
+        let options = session.views.sampling;
+        let is_dome = options.is_dome && options.plot.shows_directions();
+        Self {
+            rect,
+            camera: is_dome.then(|| session.camera.clone()),
+        }
+    }
+
+    /// Where a direction lies, whichever side it is on.
+    fn position(&self, w: DVec3) -> Pos2 {
+        let on_disc = || {
+            let [x, y] = DISC.place(w);
+            pictures::position_of(self.rect, [0.5 + 0.5 * x, 0.5 - 0.5 * y])
+        };
+        let camera = self.camera.as_ref();
+        let on_dome = camera.and_then(|camera| camera.project(w.as_vec3(), self.rect));
+        on_dome.unwrap_or_else(on_disc)
+    }
+
+    /// The rim, the axes and the held direction; of the dome two meridians too.
+    fn frame(&self, ui: &Ui, session: &Session, palette: &Palette) {
+        let painter = ui.painter();
+        let circle = |u: DVec3, v: DVec3, turn: f64| {
+            let angle = |step: u32| turn * f64::from(step) / 64.0;
+            let point = |step| self.position(u * angle(step).cos() + v * angle(step).sin());
+            let points = (0..=64).map(point).collect();
+            painter.add(Shape::line(points, Stroke::new(1.0, palette.axis)));
+        };
+        circle(DVec3::X, DVec3::Y, TAU);
+        if self.camera.is_some() {
+            circle(DVec3::X, DVec3::Z, 0.5 * TAU);
+            circle(DVec3::Y, DVec3::Z, 0.5 * TAU);
+        }
+        let font = draw::small_font(ui);
+        for (w, name) in [(DVec3::X, "s"), (DVec3::Y, "t")] {
+            let at = self.position(w);
+            let outwards = (at - self.rect.center()).normalized();
+            let place = at + 8.0 * outwards;
+            painter.text(
+                place,
+                Align2::CENTER_CENTER,
+                name,
+                font.clone(),
+                palette.ink,
+            );
+        }
+        let (held, color) = (self.position(session.held()), palette.held(session.hold));
+        painter.circle(held, 4.0, color, (1.5, palette.background));
+    }
+}
+
+/// The samples as dots; those below the surface as rings; deltas as one ring with their number.
+pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry: EntryId) {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let Some(found) = session.materials.get(entry) else {
+        return;
+    };
+    let study = data.ask(session, found, session.sampling_request());
+    let color = color_of(cx, entry);
+    let painter = ui.painter();
+    let radius = (disc.rect.width() / 260.0).clamp(0.7, 1.8);
+    let continuous = study.points.iter().filter(|point| !point.is_delta);
+    for point in continuous.take(MOST_DOTS) {
+        let at = disc.position(point.direction);
+        if point.direction.z > 0.0 {
+            painter.circle_filled(at, radius, color);
+        } else {
+            painter.circle_stroke(at, radius, (0.7, color));
+        }
+    }
+    let deltas: Vec<_> = study.points.iter().filter(|point| point.is_delta).collect();
+    for is_upper in [true, false] {
+        let one_side = deltas
+            .iter()
+            .filter(|point| (point.direction.z > 0.0) == is_upper);
+        let number = one_side.clone().count();
+        if let Some(first) = one_side.clone().next() {
+            let at = disc.position(first.direction);
+            painter.circle_stroke(at, 7.0, (2.0, color));
+            let side = if is_upper { "up" } else { "down" };
+            let text = format!("{number} in the delta {side}");
+            let below = at + vec2(0.0, if is_upper { -16.0 } else { 16.0 });
+            let font = draw::small_font(ui);
+            draw::haloed_text(
+                painter,
+                below,
+                Align2::CENTER_CENTER,
+                &text,
+                font,
+                cx.palette.ink,
+                cx.palette,
+            );
+        }
+    }
+    if study.lost > 0 {
+        let share = study.lost as f64 / (study.lost + study.points.len()) as f64;
+        note(
+            ui,
+            disc.rect,
+            &format!("{} % lost", format::value(100.0 * share)),
+            cx.palette,
+        );
+    }
+}
+
+/// The images of the grid of random numbers, lobe by lobe.
+pub(super) fn draw_warp(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry: EntryId) {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let Some(found) = session.materials.get(entry) else {
+        return;
+    };
+    let warps = data.ask(session, found, WarpRequest { cells: WARP_CELLS });
+    let is_only = warps.len() == 1;
+    for Warp { lobe, lines } in warps.iter() {
+        let color = if is_only {
+            color_of(cx, entry)
+        } else {
+            cx.palette.category(lobe.category)
+        };
+        for line in lines {
+            let points = line.iter().map(|w| disc.position(*w)).collect();
+            ui.painter()
+                .add(Shape::line(points, Stroke::new(0.8, color)));
+        }
+    }
+    if warps.is_empty() {
+        note(ui, disc.rect, "Deltas alone: nothing is warped", cx.palette);
+    }
+}
+
+/// A small note at the lower left of a disc.
+fn note(ui: &Ui, rect: Rect, text: &str, palette: &Palette) {
+    let place = rect.left_bottom() + vec2(0.0, 8.0);
+    let font = draw::small_font(ui);
+    draw::haloed_text(
+        ui.painter(),
+        place,
+        Align2::LEFT_BOTTOM,
+        text,
+        font,
+        palette.ink,
+        palette,
+    );
+}
+
+/// The colours of a histogram.
+fn deviations() -> ColorScale {
+    ColorScale {
+        range: [-DEVIATIONS, DEVIATIONS],
+        kind: ScaleKind::Diverging,
+    }
+}
+
+/// By how much each cell's samples differ from what the density says, and the chance of that.
+pub(super) fn draw_histogram(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry: EntryId) {
+    let rect = disc.rect;
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let Some(found) = session.materials.get(entry) else {
+        return;
+    };
+    let study = data.ask(session, found, session.sampling_request());
+    let id = ui.scope_id().with(("histogram", entry));
+    let sources = vec![Arc::clone(&study) as _];
+    let scale = deviations();
+    let paint = || scale.paint(&deviation_map(&study.histogram));
+    let texture = cx.state.textures.get(ui, id, (sources, Some(scale)), paint);
+    texture.paint(ui.painter(), rect);
+    let Histogram {
+        chi_square,
+        degrees,
+        p_value,
+        ..
+    } = study.histogram;
+    let test = if rect.width() > ROOM_FOR_TEST {
+        format!(
+            "χ² {} of {degrees} degrees, p {}",
+            format::value(chi_square),
+            format::value(p_value)
+        )
+    } else {
+        format!("p {}", format::value(p_value))
+    };
+    let verdict = match degrees {
+        0 => "nothing to test".to_owned(),
+        _ if p_value < SUSPICIOUS => format!("{test}: not this density"),
+        _ => test,
+    };
+    note(ui, rect, &verdict, cx.palette);
+}
+
+/// For each pixel of a disc the deviation of its cell, of the upper half, or of the lower one where only that has any.
+fn deviation_map(histogram: &Histogram) -> Raster<f64> {
+    let is_above = |cell: &&Bin| cell.theta[0] < std::f64::consts::FRAC_PI_2 - 1e-9;
+    let expected_above: f64 = histogram
+        .cells
+        .iter()
+        .filter(is_above)
+        .map(|cell| cell.expected)
+        .sum();
+    let is_upper = expected_above > 0.0;
+    let size = HISTOGRAM_SIZE;
+    let place = |index: usize| 2.0 * (index as f64 + 0.5) / size as f64 - 1.0;
+    let value = |index: usize| {
+        let place = [place(index % size), -place(index / size)];
+        let w = DISC.direction(place, is_upper)?;
+        let cell = histogram.cells.iter().find(|cell| holds(cell, w))?;
+        (cell.expected > 0.0).then(|| (cell.observed as f64 - cell.expected) / cell.expected.sqrt())
+    };
+    Raster {
+        width: size,
+        height: size,
+        pixels: (0..size * size)
+            .map(|index| value(index).unwrap_or(f64::NAN))
+            .collect(),
+    }
+}
+
+/// Whether the direction `w` lies in a cell.
+fn holds(cell: &Bin, w: DVec3) -> bool {
+    let (theta, phi) = (frame::theta(w), frame::phi(w));
+    let turn = std::f64::consts::TAU;
+    let is_between = |[low, high]: [f64; 2], x: f64| (low..high).contains(&x);
+    is_between(cell.theta, theta) && (is_between(cell.phi, phi) || is_between(cell.phi, phi + turn))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_direction_lies_in_the_cell_that_holds_it() {
+        let bin = |theta: [f64; 2], phi: [f64; 2], observed, expected| Bin {
+            theta,
+            phi,
+            solid_angle: 1.0,
+            observed,
+            expected,
+        };
+        let histogram = Histogram {
+            cells: vec![
+                bin([0.0, 0.8], [-3.2, 3.2], 109, 100.0),
+                bin([0.8, 1.6], [0.0, 6.4], 16, 25.0),
+            ],
+            ..Histogram::default()
+        };
+        let map = deviation_map(&histogram);
+        let at = |x, y| *map.at(x, y).unwrap();
+        let middle = HISTOGRAM_SIZE / 2;
+        assert!((at(middle, middle) - 0.9).abs() < 1e-12);
+        assert!((at(4, middle) + 1.8).abs() < 1e-12);
+        assert!(at(0, 0).is_nan());
+    }
+}

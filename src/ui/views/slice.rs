@@ -1,0 +1,284 @@
+//! The slice: f over theta_h and theta_d, the angles of half vector and difference.
+
+use std::sync::Arc;
+
+use egui::{Align2, Rect, Response, Ui, vec2};
+
+use super::{ViewContext, ViewSpec};
+use crate::analysis::Channel;
+use crate::analysis::slice::{REGIONS, Region, Request, Slice, pair_at, place_of};
+use crate::ui::export::table;
+use crate::ui::format;
+use crate::ui::session::{DECADES, EntryId, MaterialEntry, Session};
+use crate::ui::theme::Palette;
+use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
+use crate::ui::widgets::{choice, draw};
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "slice",
+    title: "Slice",
+    what_you_see: "f over the angles of half vector (to the right) and difference (upwards): \
+        the fingerprint of a material",
+    show,
+    table: Some(table::slice),
+    is_mesh: false,
+};
+
+/// Room for the names and numbers of the axes, in points: at the left and below.
+const LABELS: egui::Vec2 = vec2(34.0, 30.0);
+
+/// Between the title and the picture, in points.
+const TITLE_GAP: f32 = 5.0;
+
+/// The angles written at the axes, in degrees.
+const TICKS_DEG: [f64; 4] = [0.0, 30.0, 60.0, 90.0];
+
+/// Of so many pixels one is looked at to find the range of colours: a prime, so that all columns are met.
+const EVERY: usize = 37;
+
+/// The share of the largest values that all have the brightest colour.
+const GRAZING_SHARE: f64 = 0.01;
+
+/// Narrower pictures have no room for the names of regions, in points.
+const ROOM_FOR_NAMES: f32 = 150.0;
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    controls(ui, cx.session);
+    if let Some(note) = super::no_values(cx.session) {
+        draw::centred_note(ui, note);
+        return;
+    }
+    let slices = slices(cx);
+    let scale = scale(slices.iter().map(|(_, slice)| &**slice), cx.session);
+    let room = ui.available_rect_before_wrap();
+    let room = pictures::color_bar(ui, room, scale, "f, 1/sr", cx.palette);
+    for (index, cell) in pictures::cells(room, slices.len(), 1.0)
+        .into_iter()
+        .enumerate()
+    {
+        if let Some((entry, slice)) = slices.get(index) {
+            let mut picture = cell.picture;
+            picture.min += vec2(LABELS.x, TITLE_GAP);
+            picture.max.y -= LABELS.y;
+            show_slice(ui, cx, Cell { picture, ..cell }, (*entry, slice), scale);
+        }
+    }
+    ui.advance_cursor_after_rect(room);
+}
+
+fn controls(ui: &mut Ui, session: &mut Session) {
+    let options = &mut session.views.slice;
+    ui.horizontal_wrapped(|ui| {
+        let hint = "The azimuth of the difference about the half vector: at 90° both \
+            directions are equally far from n";
+        choice::angle(ui, ("φd", hint), &mut options.phi_d_deg, 0.0..=180.0);
+        let hint = "θh by its square root: more room for the specular peak";
+        choice::switch(ui, ("√θh", hint), &mut options.is_square_root);
+        let hint = "Colours by decades below the highest value";
+        choice::switch(ui, ("By decades", hint), &mut options.is_logarithmic);
+        let hint = "Names of the regions in which materials differ";
+        choice::switch(ui, ("Regions", hint), &mut options.has_regions);
+    });
+}
+
+fn slices(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Slice>)> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let slice = |entry: &MaterialEntry| {
+        (
+            entry.id(),
+            data.ask(session, entry, session.slice_request()),
+        )
+    };
+    session.materials.shown().map(slice).collect()
+}
+
+/// The colours of the slices: without the few values at grazing angles that dwarf all others.
+fn scale<'a>(slices: impl Iterator<Item = &'a Slice>, session: &Session) -> ColorScale {
+    let some = slices.flat_map(|slice| slice.raster.pixels.iter().step_by(EVERY));
+    let luminance = some.map(|rgb| Channel::Luminance.of(*rgb));
+    let mut values: Vec<f64> = luminance.filter(|value| *value > 0.0).collect();
+    values.sort_by(f64::total_cmp);
+    let quantile = |share: f64| {
+        let index = share * values.len().saturating_sub(1) as f64;
+        values.get(index as usize).copied().unwrap_or(1.0)
+    };
+    let largest = quantile(1.0 - GRAZING_SHARE);
+    if session.views.slice.is_logarithmic {
+        let least = quantile(0.0).clamp(largest * 10_f64.powf(-DECADES), 0.5 * largest);
+        ColorScale {
+            range: [least, largest],
+            kind: ScaleKind::Logarithmic,
+        }
+    } else {
+        ColorScale {
+            range: [0.0, largest],
+            kind: ScaleKind::Linear,
+        }
+    }
+}
+
+fn show_slice(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    cell: Cell,
+    (entry, slice): (EntryId, &Arc<Slice>),
+    scale: ColorScale,
+) {
+    let picture = Picture {
+        entry,
+        sources: vec![Arc::clone(slice) as _],
+        look: Some(scale),
+    };
+    let paint = || scale.paint(&slice.raster.map(|rgb| Channel::Luminance.of(*rgb)));
+    let textures = &mut cx.state.textures;
+    let response = pictures::show(ui, textures, cell, picture, cx.session, cx.palette, paint);
+    let request = cx.session.slice_request();
+    draw_axes(ui, cell.picture, &request, cx.palette);
+    if cx.session.views.slice.has_regions && cell.picture.width() > ROOM_FOR_NAMES {
+        let mut taken = Vec::new();
+        for region in &REGIONS {
+            name_region(
+                ui,
+                (cell.picture, &mut taken),
+                &request,
+                region,
+                &response,
+                cx.palette,
+            );
+        }
+    }
+    point(ui, cx, cell.picture, (entry, slice), &response);
+}
+
+/// Where angles stand in the picture, as a share from its upper left.
+fn place([theta_h_deg, theta_d_deg]: [f64; 2], request: &Request) -> [f64; 2] {
+    let x = theta_h_deg / 90.0;
+    let x = if request.is_square_root { x.sqrt() } else { x };
+    [x, 1.0 - theta_d_deg / 90.0]
+}
+
+fn draw_axes(ui: &Ui, rect: Rect, request: &Request, palette: &Palette) {
+    let painter = ui.painter();
+    let font = draw::small_font(ui);
+    painter.rect_stroke(rect, 0.0, (1.0, palette.axis), egui::StrokeKind::Outside);
+    for tick in TICKS_DEG {
+        let text = format::degrees(tick);
+        let below = pictures::position_of(rect, place([tick, 0.0], request)) + vec2(0.0, 3.0);
+        painter.text(
+            below,
+            Align2::CENTER_TOP,
+            &text,
+            font.clone(),
+            palette.faint_ink,
+        );
+        let left = pictures::position_of(rect, place([0.0, tick], request)) - vec2(4.0, 0.0);
+        painter.text(
+            left,
+            Align2::RIGHT_CENTER,
+            &text,
+            font.clone(),
+            palette.faint_ink,
+        );
+    }
+    let name = if request.is_square_root {
+        "θh (half vector), by its square root"
+    } else {
+        "θh (half vector)"
+    };
+    let below = rect.center_bottom() + vec2(0.0, 16.0);
+    painter.text(below, Align2::CENTER_TOP, name, font.clone(), palette.ink);
+    let galley = painter.layout_no_wrap("θd (difference)".to_owned(), font, palette.ink);
+    let corner = rect.left_center() + vec2(-LABELS.x, 0.5 * galley.size().x);
+    let text = egui::epaint::TextShape::new(corner, galley, palette.ink);
+    painter.add(text.with_angle(-std::f32::consts::FRAC_PI_2));
+}
+
+/// The name of a region, inside the picture.
+fn name_region(
+    ui: &Ui,
+    (rect, taken): (Rect, &mut Vec<Rect>),
+    request: &Request,
+    region: &Region,
+    response: &Response,
+    palette: &Palette,
+) {
+    let share = place([region.theta_h_deg, region.theta_d_deg], request);
+    let at = pictures::position_of(rect, share);
+    let anchor = match share {
+        [x, _] if x < 0.2 => Align2::LEFT_CENTER,
+        [x, _] if x > 0.8 => Align2::RIGHT_CENTER,
+        _ => Align2::CENTER_CENTER,
+    };
+    let painter = ui.painter_at(rect);
+    // What the name means is told where the pointer is; the rest of the picture reads out values.
+    let font = draw::small_font(ui);
+    let is_near = response
+        .hover_pos()
+        .is_some_and(|pointer| pointer.distance(at) < 12.0);
+    let text = if is_near { region.meaning } else { region.name };
+    if is_near {
+        let galley = painter.layout(text.to_owned(), font, palette.ink, 0.8 * rect.width());
+        let place = anchor.anchor_size(at, galley.size());
+        painter.rect_filled(place.expand(3.0), 3.0, palette.background);
+        painter.galley(place.min, galley, palette.ink);
+    } else {
+        let galley = painter.layout_no_wrap(text.to_owned(), font.clone(), palette.ink);
+        let place = draw::free_place(
+            taken,
+            anchor
+                .anchor_size(at, galley.size())
+                .expand2(vec2(4.0, 2.0)),
+        );
+        let (at, anchor) = (place.center(), Align2::CENTER_CENTER);
+        draw::haloed_text(&painter, at, anchor, text, font, palette.ink, palette);
+    }
+}
+
+/// The pair of directions under the pointer, which a click holds; that of the other views.
+fn point(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    rect: Rect,
+    (entry, slice): (EntryId, &Arc<Slice>),
+    response: &Response,
+) {
+    let request = cx.session.slice_request();
+    let Some(pointer) = response.hover_pos() else {
+        let (wo, wi) = cx.pair();
+        if let Some([x, y]) = place_of(&request, wo, wi) {
+            let at = pictures::position_of(rect, [x, 1.0 - y]);
+            ui.painter().circle_stroke(at, 5.0, (1.5, cx.palette.ink));
+        }
+        return;
+    };
+    let [x, y] = pictures::share_of(rect, pointer);
+    let (wo, wi) = pair_at(&request, [x, 1.0 - y]);
+    let raster = &slice.raster;
+    let pixel = [x * raster.width as f64, y * raster.height as f64];
+    let value = raster.at(pixel[0] as usize, pixel[1] as usize);
+    let value = value
+        .map(|rgb| Channel::Luminance.of(*rgb))
+        .filter(|value| value.is_finite());
+    let value = value.map_or_else(
+        || "below the surface".to_owned(),
+        |value| format!("f {} 1/sr", format::value(value)),
+    );
+    let theta_h = 90.0 * if request.is_square_root { x * x } else { x };
+    let name = cx
+        .session
+        .materials
+        .get(entry)
+        .map(|entry| cx.session.materials.title(entry));
+    let text = format!(
+        "{}\nθh {}  θd {}\n{value}",
+        name.unwrap_or_default(),
+        format::degrees(theta_h),
+        format::degrees(90.0 * (1.0 - y))
+    );
+    draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
+    if response.clicked() && wo.z.min(wi.z) > 0.0 {
+        cx.session.materials.select(entry);
+        cx.hold_pair(wo, wi);
+    }
+}

@@ -1,0 +1,369 @@
+//! The lit sphere: what a material looks like on a body under a light.
+
+use std::sync::Arc;
+
+use egui::{Align2, ColorImage, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
+use glam::DVec3;
+
+use super::{ViewContext, ViewSpec};
+use crate::analysis::Channel;
+use crate::analysis::half_difference::Spherical;
+use crate::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
+use crate::ui::export::table;
+use crate::ui::format;
+use crate::ui::session::{Arrangement, EntryId, MaterialEntry, Session};
+use crate::ui::theme;
+use crate::ui::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
+use crate::ui::widgets::{choice, draw};
+
+mod light;
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "sphere",
+    title: "Lit sphere",
+    what_you_see: "A sphere of the material under a light, in true proportion; a click takes \
+        the directions of that point",
+    show,
+    table: Some(table::sphere),
+    is_mesh: false,
+};
+
+/// Room around a sphere for the handle of a light that stands behind it, as a share of the picture.
+const MARGIN: f32 = 0.08;
+
+/// The stops of exposure that can be chosen.
+const STOPS: std::ops::RangeInclusive<f64> = -6.0..=6.0;
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    controls(ui, cx.session);
+    if let Some(note) = super::nothing_to_show(cx.session) {
+        draw::centred_note(ui, note);
+        return;
+    }
+    let room = ui.available_rect_before_wrap();
+    let options = cx.session.views.sphere;
+    let is_difference = options.arrangement == Arrangement::Difference;
+    let room = if is_difference && cx.session.materials.is_overlay() {
+        pictures::color_bar(
+            ui,
+            room,
+            difference_scale(cx.session),
+            "difference of radiance",
+            cx.palette,
+        )
+    } else {
+        room
+    };
+    let is_clipped = if options.arrangement == Arrangement::Wipe {
+        show_wipe(ui, cx, room)
+    } else {
+        show_grid(ui, cx, room)
+    };
+    let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
+    let note = if options.light == Light::Directional && cx.session.materials.shown().any(is_delta)
+    {
+        Some("A mirror shows nothing of light from one direction: choose the sky")
+    } else if is_clipped && !is_difference {
+        Some("Channels are clipped where it is brightest: lower the exposure to see them")
+    } else {
+        None
+    };
+    if let Some(note) = note {
+        let place = room.left_bottom() + vec2(4.0, -4.0);
+        let (font, color) = (draw::small_font(ui), cx.palette.ink);
+        draw::haloed_text(
+            ui.painter(),
+            place,
+            Align2::LEFT_BOTTOM,
+            note,
+            font,
+            color,
+            cx.palette,
+        );
+    }
+    ui.advance_cursor_after_rect(room);
+}
+
+fn controls(ui: &mut Ui, session: &mut Session) {
+    let is_overlay = session.materials.is_overlay();
+    let options = &mut session.views.sphere;
+    ui.horizontal_wrapped(|ui| {
+        let hint = "What lights the sphere";
+        choice::choice(
+            ui,
+            ("Light", hint),
+            &mut options.light,
+            &Light::ALL,
+            Light::title,
+        );
+        ui.label("Exposure");
+        let slider = egui::Slider::new(&mut options.exposure, STOPS)
+            .suffix(" stops")
+            .max_decimals(1);
+        let response = ui
+            .add(slider)
+            .on_hover_text("Each stop doubles the radiance; white is radiance 1 at 0 stops");
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label("Exposure"));
+        if is_overlay {
+            let hint = "How the spheres of several materials stand";
+            choice::choice(
+                ui,
+                ("Spheres", hint),
+                &mut options.arrangement,
+                Arrangement::ALL,
+                Arrangement::title,
+            );
+            if options.arrangement == Arrangement::Difference {
+                super::reference_choice(ui, &mut session.materials);
+            }
+        }
+    });
+}
+
+/// The radiance that becomes white.
+fn white(session: &Session) -> f64 {
+    (-session.views.sphere.exposure).exp2()
+}
+
+/// The colours of differences: half of white either way.
+fn difference_scale(session: &Session) -> ColorScale {
+    let end = 0.5 * white(session);
+    ColorScale {
+        range: [-end, end],
+        kind: ScaleKind::Diverging,
+    }
+}
+
+/// The picture of a material as a texture, or of its difference from that of the reference.
+fn texture(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    entry: EntryId,
+    width: f32,
+    is_difference: bool,
+) -> Option<pictures::Texture> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let request = session.sphere_request(width * ui.ctx().pixels_per_point());
+    let mut of = |entry: &MaterialEntry| data.ask(session, entry, request);
+    let picture = of(session.materials.get(entry)?);
+    let id = ui.scope_id().with(("sphere", entry));
+    let textures = &mut cx.state.textures;
+    if is_difference {
+        let reference = of(session.materials.reference());
+        let scale = difference_scale(session);
+        let sources = vec![Arc::clone(&picture) as _, Arc::clone(&reference) as _];
+        let paint = || difference(&picture, &reference, scale);
+        return Some(textures.get(ui, id, (sources, Some(scale)), paint));
+    }
+    // The look is the radiance that becomes white.
+    let look = ColorScale {
+        range: [0.0, white(session)],
+        kind: ScaleKind::Linear,
+    };
+    let sources = vec![Arc::clone(&picture) as _];
+    Some(textures.get(ui, id, (sources, Some(look)), || {
+        exposed(&picture, white(session))
+    }))
+}
+
+/// The picture as the screen shows it, clipped where a channel is brighter than `white`.
+fn exposed(picture: &Picture, white: f64) -> ColorImage {
+    let pixels = picture.pixels.iter().map(|[r, g, b, coverage]| {
+        let linear = [*r, *g, *b].map(|x| f64::from(x) / white);
+        theme::color_of_linear_covered(linear, *coverage)
+    });
+    ColorImage::new([picture.width, picture.height], pixels.collect())
+}
+
+/// The difference of the luminances of two pictures of one size; nothing while one is still coarse.
+fn difference(picture: &Picture, reference: &Picture, scale: ColorScale) -> ColorImage {
+    let luminance = |[r, g, b, _]: &[f32; 4]| Channel::Luminance.of([*r, *g, *b].map(f64::from));
+    let pixels = picture.zip_with(reference, |a, b| {
+        let is_covered = a[3] > 0.5;
+        if is_covered {
+            luminance(a) - luminance(b)
+        } else {
+            f64::NAN
+        }
+    });
+    pixels.map_or_else(ColorImage::default, |pixels| scale.paint(&pixels))
+}
+
+/// A sphere for each material. Returns whether one is clipped.
+fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
+    let options = cx.session.views.sphere;
+    let is_difference =
+        options.arrangement == Arrangement::Difference && cx.session.materials.is_overlay();
+    let reference = cx.session.materials.reference().id();
+    let ids = cx.session.materials.shown().map(MaterialEntry::id);
+    let ids: Vec<EntryId> = ids
+        .filter(|id| !is_difference || *id != reference)
+        .collect();
+    let mut is_clipped = false;
+    for (index, (cell, entry)) in pictures::cells(room, ids.len(), 1.0)
+        .into_iter()
+        .zip(&ids)
+        .enumerate()
+    {
+        let rect = cell.picture.shrink(MARGIN * cell.picture.width());
+        let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
+        if let Some(texture) = texture(ui, cx, *entry, rect.width(), is_difference) {
+            texture.paint(ui.painter(), rect);
+            is_clipped |= texture.is_clipped;
+        }
+        interact(
+            ui,
+            cx,
+            Cell {
+                picture: rect,
+                ..cell
+            },
+            *entry,
+            &name,
+        );
+        if index == 0 {
+            light::drag(ui, cx, rect);
+        }
+    }
+    is_clipped
+}
+
+/// One sphere, a strip of it for each material. Returns whether one is clipped.
+fn show_wipe(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
+    let ids: Vec<EntryId> = cx
+        .session
+        .materials
+        .shown()
+        .map(MaterialEntry::id)
+        .collect();
+    let Some(cell) = pictures::cells(room, 1, 1.0).into_iter().next() else {
+        return false;
+    };
+    let rect = cell.picture.shrink(MARGIN * cell.picture.width());
+    let width = rect.width() / ids.len().max(1) as f32;
+    let mut is_clipped = false;
+    for (index, entry) in ids.iter().enumerate() {
+        let left = rect.left() + width * index as f32;
+        let strip = Rect::from_x_y_ranges(left..=left + width, room.y_range());
+        if let Some(texture) = texture(ui, cx, *entry, rect.width(), false) {
+            texture.paint(
+                &ui.painter().with_clip_rect(strip.intersect(ui.clip_rect())),
+                rect,
+            );
+            is_clipped |= texture.is_clipped;
+        }
+        if index > 0 {
+            ui.painter()
+                .vline(left, rect.y_range(), (1.0, cx.palette.axis));
+        }
+        let title = Rect::from_min_size(strip.min, vec2(width, theme::LEGEND_ROW));
+        let cell = Cell {
+            title,
+            picture: Rect::from_x_y_ranges(strip.x_range(), rect.y_range()),
+        };
+        let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
+        interact_strip(ui, cx, (cell.picture, rect), *entry, &name);
+    }
+    light::drag(ui, cx, rect);
+    is_clipped
+}
+
+fn interact(ui: &Ui, cx: &mut ViewContext<'_>, cell: Cell, entry: EntryId, name: &str) {
+    interact_strip(ui, cx, (cell.picture, cell.picture), entry, name);
+}
+
+/// The pointer over the part `strip` of the sphere in `rect`: reads out, and a click holds the directions of that point.
+fn interact_strip(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    (strip, rect): (Rect, Rect),
+    entry: EntryId,
+    name: &str,
+) {
+    let response = ui.interact(
+        strip,
+        ui.scope_id().with(("on sphere", entry)),
+        Sense::click(),
+    );
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, format!("Sphere of {name}")));
+    let request = cx.session.sphere_request(rect.width());
+    if !request.light.has_direction() {
+        return;
+    }
+    let light = request.to_light();
+    let Some(pointer) = response.hover_pos() else {
+        mark_pair(ui, cx, rect, light);
+        return;
+    };
+    let [x, y] =
+        pictures::share_of(rect, pointer).map(|share| (2.0 * share - 1.0) / sphere::RADIUS);
+    let Some((wo, wi)) = pair_at(light, [x, -y]) else {
+        return;
+    };
+    read_out(ui, cx, (&response, name), (wo, wi));
+    if response.clicked() {
+        cx.session.materials.select(entry);
+        cx.hold_pair(wo, wi);
+    }
+}
+
+fn read_out(
+    ui: &Ui,
+    cx: &ViewContext<'_>,
+    (response, name): (&Response, &str),
+    (wo, wi): (DVec3, DVec3),
+) {
+    let angles = |w: DVec3| {
+        let w = Spherical::of(w);
+        format!(
+            "θ {}  φ {}",
+            format::degrees(w.theta_deg),
+            format::degrees(w.phi_deg)
+        )
+    };
+    let text = format!(
+        "{name}\nto the viewer  {}\nto the light  {}",
+        angles(wo),
+        angles(wi)
+    );
+    if let Some(pointer) = response.hover_pos() {
+        draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
+    }
+}
+
+/// The point that shows the pair of the other views: a ring, thin where the sphere has only one with its half vector.
+fn mark_pair(ui: &Ui, cx: &ViewContext<'_>, rect: Rect, light: DVec3) {
+    let (wo, wi) = cx.pair();
+    if let Some(normal) = normal_of(light, wo, wi) {
+        let at = position(rect, normal.place);
+        let width = if normal.is_exact { 2.0 } else { 0.8 };
+        let painter = ui.painter_at(rect);
+        painter.circle_stroke(at, 5.5, (width + 1.5, cx.palette.background));
+        painter.circle_stroke(at, 5.5, (width, cx.palette.ink));
+    }
+}
+
+/// Where a place of the sphere, in radii, x to the right and y up, is drawn.
+fn position(rect: Rect, [x, y]: [f64; 2]) -> egui::Pos2 {
+    let radius = 0.5 * rect.width() * sphere::RADIUS as f32;
+    rect.center() + radius * Vec2::new(x as f32, -y as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exposure_and_clipping() {
+        let picture = Picture {
+            width: 2,
+            height: 1,
+            pixels: vec![[0.5, 0.5, 0.5, 1.0], [0.0; 4]],
+        };
+        let half = exposed(&picture, 1.0);
+        assert!(half.pixels[0].r() < 255 && half.pixels[1].a() == 0);
+        assert_eq!(exposed(&picture, 0.5).pixels[0].r(), 255);
+    }
+}

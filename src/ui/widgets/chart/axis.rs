@@ -1,0 +1,155 @@
+//! The axes of a chart.
+
+use egui_plot::{AxisHints, GridMark};
+
+use crate::ui::format;
+
+/// Room above the highest curve, as a share of the height.
+const TOP_ROOM: f64 = 0.12;
+
+/// The angles at which an axis of degrees is marked: the closer ones where there is room.
+const DEGREES: [f64; 3] = [15.0, 30.0, 90.0];
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What it measures, with its unit.
+    pub name: String,
+    /// Its ends, in that unit.
+    pub range: [f64; 2],
+    /// Whether it goes by decades: both ends are above 0 then.
+    pub is_logarithmic: bool,
+    /// Whether it measures an angle in degrees.
+    pub is_angle: bool,
+}
+
+impl Axis {
+    /// An axis in proportion.
+    #[must_use]
+    pub fn linear(name: impl Into<String>, range: [f64; 2]) -> Self {
+        Self {
+            name: name.into(),
+            range,
+            is_logarithmic: false,
+            is_angle: false,
+        }
+    }
+
+    /// An axis of angles in degrees.
+    #[must_use]
+    pub fn degrees(name: impl Into<String>, range: [f64; 2]) -> Self {
+        Self {
+            is_angle: true,
+            ..Self::linear(name, range)
+        }
+    }
+
+    /// An axis from 0, or by `decades` below it, to a little above `largest`; from as far below 0 as `least` lies.
+    #[must_use]
+    pub fn of_values(
+        name: impl Into<String>,
+        [least, largest]: [f64; 2],
+        decades: Option<f64>,
+    ) -> Self {
+        let largest = if largest > least.max(0.0) {
+            largest
+        } else {
+            least.max(0.0) + 1.0
+        };
+        let range = if let Some(decades) = decades {
+            let top = largest * 10_f64.powf(TOP_ROOM * decades);
+            [largest * 10_f64.powf(-decades), top]
+        } else {
+            let room = TOP_ROOM * (largest - least.min(0.0));
+            let low = if least < 0.0 { least - room } else { 0.0 };
+            [low, largest + room]
+        };
+        Self {
+            name: name.into(),
+            range,
+            is_logarithmic: decades.is_some(),
+            is_angle: false,
+        }
+    }
+
+    /// Where a value lies in the plot.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        let [low, high] = self.range;
+        if self.is_logarithmic {
+            value.clamp(low, high).log10()
+        } else {
+            value
+        }
+    }
+
+    /// The value at a place of the plot.
+    pub(super) fn value(&self, place: f64) -> f64 {
+        if self.is_logarithmic {
+            10_f64.powf(place)
+        } else {
+            place
+        }
+    }
+
+    pub(super) fn ends(&self) -> [f64; 2] {
+        self.range.map(|end| self.place(end))
+    }
+
+    pub(super) fn hints(&self, hints: AxisHints<'static>) -> AxisHints<'static> {
+        let is_logarithmic = self.is_logarithmic;
+        hints
+            .label(self.name.clone())
+            .formatter(move |mark, range| tick(mark, is_logarithmic, range.end() - range.start()))
+    }
+}
+
+/// The marks of an axis of degrees that shows these ends.
+pub(super) fn angle_marks((low, high): (f64, f64)) -> Vec<GridMark> {
+    let mark = |index: i32| {
+        let [step, ..] = DEGREES;
+        let value = step * f64::from(index);
+        let divides = |step: &&f64| (value / **step).fract() == 0.0;
+        let step_size = DEGREES.iter().rfind(divides).copied();
+        step_size.map(|step_size| GridMark { value, step_size })
+    };
+    let is_seen = |mark: &GridMark| (low - 1e-9..=high + 1e-9).contains(&mark.value);
+    (-12..=12).filter_map(mark).filter(is_seen).collect()
+}
+
+/// The text at a mark of an axis that shows `span` of its values.
+fn tick(mark: GridMark, is_logarithmic: bool, span: f64) -> String {
+    // Marks are sums of steps: what rounding leaves of 0 is 0.
+    let value = if mark.value.abs() < 1e-9 * span {
+        0.0
+    } else {
+        mark.value
+    };
+    if !is_logarithmic {
+        return format::value(value);
+    }
+    // Between whole decades there is no round number to write.
+    if (value - value.round()).abs() < 1e-6 {
+        format::value(10_f64.powf(value.round()))
+    } else {
+        String::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_hold_their_values() {
+        let linear = Axis::of_values("f", [0.0, 2.0], None);
+        assert!(linear.range[0] == 0.0 && linear.range[1] > 2.0);
+        let residual = Axis::of_values("f", [-1.0, 2.0], None);
+        assert!(residual.range[0] < -1.0);
+        let decades = Axis::of_values("f", [0.0, 100.0], Some(4.0));
+        assert!((decades.range[0] - 0.01).abs() < 1e-12 && decades.range[1] > 100.0);
+        assert!((decades.value(decades.place(3.0)) - 3.0).abs() < 1e-12);
+        assert_eq!(decades.place(0.0), decades.place(0.01), "the floor");
+        let nothing = Axis::of_values("f", [0.0, 0.0], Some(4.0));
+        assert!(nothing.range[0] > 0.0 && nothing.range[1] > nothing.range[0]);
+    }
+}

@@ -1,0 +1,274 @@
+//! A chart: curves over a named axis, linear or by decades, with marks and a pointer that reads out.
+
+use std::fmt::Write as _;
+
+use egui::{Align2, Pos2, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui_plot::{
+    AxisHints, FilledArea, HLine, Line, Plot, PlotPoint, PlotPoints, PlotTransform, PlotUi, VLine,
+};
+
+use super::{choice, draw};
+use crate::ui::format;
+use crate::ui::theme::{self, Palette};
+pub use axis::Axis;
+pub use series::{Band, Mark, Series, style};
+
+mod axis;
+mod series;
+
+/// Room at the right of a plot for half a number, and the least height of one, in points.
+const END_ROOM: f32 = 12.0;
+const LEAST_HEIGHT: f32 = 30.0;
+
+/// All that a chart shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Its name for screen readers and tests.
+    pub name: String,
+    /// The axis to the right.
+    pub x: Axis,
+    /// The axis upwards.
+    pub y: Axis,
+    /// The curves; later ones lie over earlier ones.
+    pub series: Vec<Series>,
+    /// Areas under the curves.
+    pub bands: Vec<Band>,
+    /// Lines at an x.
+    pub marks: Vec<Mark>,
+    /// Lines at a y.
+    pub levels: Vec<Mark>,
+    /// Whether the names of the curves stand above it.
+    pub has_names: bool,
+}
+
+/// A chart on the screen.
+pub struct Shown {
+    /// What the pointer does with it.
+    pub response: Response,
+    /// Where values lie.
+    transform: PlotTransform,
+}
+
+impl Chart {
+    /// A chart of `series` over these axes, and nothing else.
+    #[must_use]
+    pub fn of(name: &str, [x, y]: [Axis; 2], series: Vec<Series>) -> Self {
+        Self {
+            name: name.to_owned(),
+            x,
+            y,
+            series,
+            bands: Vec::new(),
+            marks: Vec::new(),
+            levels: Vec::new(),
+            has_names: false,
+        }
+    }
+
+    /// Draws it into the room left, or into this height, the names of the curves above.
+    pub fn show(&self, ui: &mut Ui, height: Option<f32>, palette: &Palette) -> Shown {
+        let top = ui.cursor().top();
+        if self.has_names {
+            self.name_series(ui);
+        }
+        let height = height.map_or_else(
+            || ui.available_height(),
+            |height| (height - (ui.cursor().top() - top)).max(LEAST_HEIGHT),
+        );
+        // The last number below stands half beside the plot.
+        let room = vec2(ui.available_width() - END_ROOM, height);
+        let ([x_low, x_high], [y_low, y_high]) = (self.x.ends(), self.y.ends());
+        let plot = Plot::new(("chart", &self.name, self.y.is_logarithmic, &self.x.name))
+            .width(room.x)
+            .height(room.y)
+            .custom_x_axes(vec![self.x.hints(AxisHints::new_x())])
+            .custom_y_axes(vec![self.y.hints(AxisHints::new_y())])
+            .set_margin_fraction(vec2(0.0, 0.0))
+            .include_x(x_low)
+            .include_x(x_high)
+            .include_y(y_low)
+            .include_y(y_high)
+            .auto_bounds(true)
+            .grid_color(palette.grid)
+            .show_background(false)
+            .show_x(false)
+            .show_y(false)
+            .show_crosshair(false)
+            .allow_boxed_zoom(false)
+            .allow_scroll(false)
+            .label_formatter(|_| None);
+        let plot = if self.x.is_angle {
+            plot.x_grid_spacer(|input| axis::angle_marks(input.bounds))
+        } else {
+            plot
+        };
+        let shown = plot.show(ui, |plot_ui| {
+            draw::zoom_by_scrolling(plot_ui);
+            self.draw(plot_ui);
+        });
+        let response = shown.response;
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &self.name));
+        let shown = Shown {
+            response,
+            transform: shown.transform,
+        };
+        self.name_marks(ui, &shown, palette);
+        shown
+    }
+
+    fn draw(&self, plot_ui: &mut PlotUi<'_>) {
+        for band in &self.bands {
+            let of = |index: usize| {
+                let points = band.points.iter().filter_map(|point| point.get(index));
+                points.copied().collect::<Vec<f64>>()
+            };
+            let place = |values: Vec<f64>| -> Vec<f64> {
+                values
+                    .into_iter()
+                    .map(|value| self.y.place(value))
+                    .collect()
+            };
+            let area = FilledArea::new("", &of(0), &place(of(1)), &place(of(2)));
+            plot_ui.add(
+                area.fill_color(theme::fill_of(band.color))
+                    .allow_hover(false),
+            );
+        }
+        for series in &self.series {
+            for line in &series.lines {
+                let points = line
+                    .iter()
+                    .map(|[x, y]| [self.x.place(*x), self.y.place(*y)]);
+                let line = Line::new("", points.collect::<PlotPoints<'_>>())
+                    .stroke((series.width, series.color))
+                    .style(style(series.dash))
+                    // The line itself, every point of it: a band is thin where the curve is steep.
+                    .allow_band(false)
+                    .allow_hover(false);
+                plot_ui.line(line);
+            }
+        }
+        for mark in &self.marks {
+            let line = VLine::new("", self.x.place(mark.at)).stroke((1.5, mark.color));
+            plot_ui.vline(line.style(style(mark.dash)).allow_hover(false));
+        }
+        for level in &self.levels {
+            let line = HLine::new("", self.y.place(level.at)).stroke((1.5, level.color));
+            plot_ui.hline(line.style(style(level.dash)).allow_hover(false));
+        }
+    }
+
+    /// The names of the curves with samples of their lines, in rows.
+    fn name_series(&self, ui: &mut Ui) {
+        ui.horizontal_wrapped(|ui| {
+            for series in &self.series {
+                let font = draw::small_font(ui);
+                let painter = ui.painter();
+                let galley = painter.layout_no_wrap(series.name.clone(), font, series.color);
+                let gap = ui.spacing().item_spacing.x;
+                let width = theme::LINE_SAMPLE + galley.size().x + 2.0 * gap;
+                choice::keep_together(ui, width);
+                ui.horizontal(|ui| {
+                    let size = vec2(theme::LINE_SAMPLE, theme::LEGEND_ROW);
+                    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+                    let ends = [rect.left_center(), rect.right_center()];
+                    let stroke = (series.width, series.color);
+                    draw::line(ui.painter(), ends, stroke, series.dash);
+                    ui.label(RichText::new(&series.name).small());
+                });
+            }
+        });
+    }
+
+    /// The names of the marks at the top, of the levels at the right.
+    fn name_marks(&self, ui: &Ui, shown: &Shown, palette: &Palette) {
+        let frame = shown.frame();
+        let painter = ui.painter_at(frame);
+        let mut taken: Vec<Rect> = Vec::new();
+        let mut name = |mark: &Mark, place: Pos2, anchor: Align2| {
+            let font = draw::small_font(ui);
+            let galley = painter.layout_no_wrap(mark.name.clone(), font.clone(), mark.color);
+            let rect = anchor.anchor_size(place, galley.size());
+            let rect = draw::free_place(&mut taken, rect);
+            let text = &mark.name;
+            draw::haloed_text(
+                &painter,
+                rect.min,
+                Align2::LEFT_TOP,
+                text,
+                font,
+                mark.color,
+                palette,
+            );
+        };
+        for mark in &self.marks {
+            let x = shown.position([self.x.place(mark.at), 0.0]).x;
+            if frame.x_range().contains(x) {
+                name(
+                    mark,
+                    Pos2::new(x + 3.0, frame.top() + 2.0),
+                    Align2::LEFT_TOP,
+                );
+            }
+        }
+        for level in &self.levels {
+            let y = shown.position([0.0, self.y.place(level.at)]).y;
+            if frame.y_range().contains(y) {
+                name(
+                    level,
+                    Pos2::new(frame.right() - 4.0, y - 2.0),
+                    Align2::RIGHT_BOTTOM,
+                );
+            }
+        }
+    }
+
+    /// The x and y under the pointer, in the units of the axes.
+    #[must_use]
+    pub fn pointed(&self, shown: &Shown) -> Option<[f64; 2]> {
+        let pointer = shown.response.hover_pos()?;
+        let place = shown.transform.value_from_position(pointer);
+        Some([self.x.value(place.x), self.y.value(place.y)])
+    }
+
+    /// A line at `x`, which is pointed at in another view, with a dot on each curve there.
+    pub fn mark(&self, ui: &Ui, shown: &Shown, x: f64, palette: &Palette) {
+        let frame = shown.frame();
+        let painter = ui.painter_at(frame);
+        let across = shown.position([self.x.place(x), 0.0]).x;
+        painter.vline(across, frame.y_range(), (1.0, palette.faint_ink));
+        for series in &self.series {
+            if let Some(y) = series.value_at(x) {
+                let place = shown.position([self.x.place(x), self.y.place(y)]);
+                painter.circle(place, 3.5, series.color, (1.0, palette.background));
+            }
+        }
+    }
+
+    /// A line at `x` with a dot on each curve there, and a note beside the pointer: `heading`, then each curve's value.
+    pub fn read_out(&self, ui: &Ui, shown: &Shown, x: f64, heading: &str, palette: &Palette) {
+        self.mark(ui, shown, x, palette);
+        let mut text = heading.to_owned();
+        for series in &self.series {
+            if let Some(y) = series.value_at(x) {
+                // Writing to a string cannot fail.
+                let _ = write!(text, "\n{}  {}", series.name, format::value(y));
+            }
+        }
+        if let Some(pointer) = shown.response.hover_pos() {
+            draw::pointer_note(ui, pointer, shown.frame(), &text, palette);
+        }
+    }
+}
+
+impl Shown {
+    fn position(&self, [x, y]: [f64; 2]) -> Pos2 {
+        self.transform.position_from_point(&PlotPoint::new(x, y))
+    }
+
+    /// The rectangle between the axes.
+    #[must_use]
+    pub fn frame(&self) -> Rect {
+        *self.transform.frame()
+    }
+}

@@ -1,0 +1,97 @@
+//! Small controls that the views have above them: a choice of words, and an angle.
+
+use egui::{Response, Ui};
+
+use crate::ui::theme;
+
+/// Begins a new row where `width` points do not fit into this one: what stands in a row of its own does not wrap.
+pub fn keep_together(ui: &mut Ui, width: f32) {
+    if width > ui.available_size_before_wrap().x {
+        ui.end_row();
+    }
+}
+
+/// The width of a word in points.
+fn width_of(ui: &Ui, text: &str) -> f32 {
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), font, ui.visuals().text_color());
+    galley.size().x
+}
+
+/// The width of a drop-down that shows `text`, in points.
+fn combo_width(ui: &Ui, text: &str) -> f32 {
+    let spacing = ui.spacing();
+    let icon = spacing.icon_width + spacing.icon_spacing;
+    let inside = (width_of(ui, text) + icon).max(theme::SHORT_COMBO_WIDTH);
+    inside + 2.0 * spacing.button_padding.x
+}
+
+/// A name and a drop-down, on one line wherever the line ends. `chosen`: what it shows.
+pub fn named_combo(
+    ui: &mut Ui,
+    (name, label, hint): (&str, &str, &str),
+    chosen: &str,
+    items: impl FnOnce(&mut Ui),
+) {
+    let width = width_of(ui, label) + combo_width(ui, chosen) + 2.0 * ui.spacing().item_spacing.x;
+    keep_together(ui, width);
+    ui.horizontal(|ui| {
+        ui.label(label).on_hover_text(hint);
+        let combo = egui::ComboBox::from_id_salt(name)
+            .selected_text(chosen)
+            .width(theme::SHORT_COMBO_WIDTH)
+            .show_ui(ui, items);
+        named(ui, &combo.response.on_hover_text(hint), name);
+    });
+}
+
+/// A drop-down of `all`, each named by `title`; `name` stands before it and tells it to tests and screen readers.
+pub fn choice<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    (name, hint): (&str, &str),
+    value: &mut T,
+    all: &[T],
+    title: impl Fn(T) -> &'static str,
+) {
+    named_combo(ui, (name, name, hint), title(*value), |ui| {
+        for one in all {
+            ui.selectable_value(value, *one, title(*one));
+        }
+    });
+}
+
+/// An angle in degrees within `range`.
+pub fn angle(
+    ui: &mut Ui,
+    (name, hint): (&str, &str),
+    value: &mut f64,
+    range: std::ops::RangeInclusive<f64>,
+) {
+    ui.label(name).on_hover_text(hint);
+    let field = egui::DragValue::new(value)
+        .range(range)
+        .suffix("°")
+        .speed(0.5)
+        .max_decimals(1);
+    let response = ui.add(field).on_hover_text(hint);
+    named(ui, &response, name);
+}
+
+/// A switch.
+pub fn switch(ui: &mut Ui, named: (&str, &str), value: &mut bool) {
+    switch_if(true, ui, named, value);
+}
+
+/// A switch that can be used where `is_enabled`.
+pub fn switch_if(is_enabled: bool, ui: &mut Ui, (name, hint): (&str, &str), value: &mut bool) {
+    ui.add_enabled(is_enabled, egui::Checkbox::new(value, name))
+        .on_hover_text(hint);
+}
+
+/// Gives a control its name for tests and screen readers.
+fn named(ui: &Ui, response: &Response, name: &str) {
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(name));
+}

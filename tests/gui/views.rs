@@ -1,0 +1,216 @@
+//! What the hand does in each view.
+
+use brdf_explorer::analysis::cartesian::Abscissa;
+use brdf_explorer::analysis::hemisphere::Comparison;
+use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::session::{SamplingPlot, Session, Split};
+use brdf_explorer::ui::views::VIEWS;
+use egui::{Pos2, Role, Theme, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+use super::{picture, session};
+
+const SIZE: [u32; 2] = [640, 480];
+
+fn alone(shown: Session, id: &str) -> Harness<'static, App> {
+    picture(shown, Some(id), SIZE, Theme::Dark)
+        .harness()
+        .unwrap()
+}
+
+fn click(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_label(label).click();
+    harness.run();
+}
+
+/// Chooses `item` in the drop-down `name`.
+fn choose(harness: &mut Harness<'_, App>, name: &str, item: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, name).click();
+    harness.run();
+    harness.get_by_role_and_label(Role::Button, item).click();
+    harness.run();
+}
+
+fn canvas(harness: &Harness<'_, App>, name: &str) -> egui::Rect {
+    harness.get_by_role_and_label(Role::Canvas, name).rect()
+}
+
+fn drag(harness: &mut Harness<'_, App>, handle: &str, to: Pos2) {
+    let from = harness.get_by_label(handle).rect().center();
+    harness.hover_at(from);
+    harness.run();
+    harness.drag_at(from);
+    harness.step();
+    // While something is dragged every frame asks for the next one.
+    harness.hover_at(to);
+    harness.run_steps(2);
+    harness.drop_at(to);
+    harness.run();
+}
+
+fn click_at(harness: &mut Harness<'_, App>, place: Pos2) {
+    harness.hover_at(place);
+    harness.run();
+    harness.drag_at(place);
+    harness.run();
+    harness.drop_at(place);
+    harness.run();
+}
+
+#[test]
+fn a_view_with_nothing_to_show_says_why() {
+    for view in &VIEWS {
+        let mut hidden = session(&["gold", "phong"]);
+        hidden
+            .materials
+            .iter_mut()
+            .for_each(|entry| entry.is_visible = false);
+        let harness = alone(hidden, view.id);
+        // The lobes are meshes and the inspector is a table: these two show their frames.
+        if !["polar", "lobe3d", "inspector"].contains(&view.id) {
+            assert!(
+                harness.query_by_label("Every material is hidden").is_some(),
+                "{}",
+                view.id
+            );
+        }
+        let harness = alone(session(&["specular_reflection"]), view.id);
+        if ["cartesian", "hemisphere", "slice", "decomposition"].contains(&view.id) {
+            let line = "All light is in Dirac deltas: f and the density are 0 everywhere";
+            assert!(harness.query_by_label(line).is_some(), "{}", view.id);
+        }
+    }
+}
+
+#[test]
+fn the_cartesian_plot_changes_its_angle_and_compares() {
+    let mut harness = alone(session(&["gold", "plastic"]), "cartesian");
+    choose(&mut harness, "Over", "Half angle");
+    assert_eq!(
+        harness.state().session.views.cartesian.abscissa,
+        Abscissa::Half
+    );
+    click(&mut harness, "By decades");
+    click(&mut harness, "To the peak");
+    click(&mut harness, "Residual");
+    let options = harness.state().session.views.cartesian;
+    assert!(options.is_logarithmic && options.is_normalised && options.is_residual);
+    choose(&mut harness, "Reference", "Plastic");
+    let materials = &harness.state().session.materials;
+    assert_eq!(materials.title(materials.reference()), "Plastic");
+}
+
+#[test]
+fn a_click_over_the_half_angle_holds_that_pair() {
+    let mut shown = session(&["gold"]);
+    shown.views.cartesian.abscissa = Abscissa::Half;
+    shown.views.cartesian.fixed_deg = 20.0;
+    let mut harness = alone(shown, "cartesian");
+    let frame = canvas(&harness, "Cartesian plot");
+    click_at(&mut harness, frame.center());
+    let theta = harness.state().session.theta_deg;
+    // theta_h is somewhere in the middle, theta_d 20 degrees across: cos(theta) = cos(theta_h) cos(theta_d).
+    assert!(theta > 30.0 && theta < 65.0, "{theta}");
+}
+
+#[test]
+fn the_held_direction_is_dragged_on_the_hemisphere() {
+    let mut harness = alone(session(&["gold"]), "hemisphere");
+    let disc = canvas(&harness, "Gold");
+    drag(
+        &mut harness,
+        "Held direction in the hemisphere",
+        disc.center() + vec2(0.0, 0.2 * disc.height()),
+    );
+    let session = &harness.state().session;
+    // Below the middle is -t; on the disc of equal areas .4 of the radius is 2 asin(.4 / sqrt 2).
+    assert!((session.phi_deg + 90.0).abs() < 1.0, "{}", session.phi_deg);
+    let half_sine = 0.4 / 2_f64.sqrt();
+    let half = half_sine.atan2((1.0 - half_sine * half_sine).sqrt());
+    let expected = 2.0 * half.to_degrees();
+    assert!(
+        (session.theta_deg - expected).abs() < 1.0,
+        "{} {expected}",
+        session.theta_deg
+    );
+}
+
+#[test]
+fn the_hemisphere_compares_with_the_reference() {
+    let mut harness = alone(session(&["gold", "plastic", "phong"]), "hemisphere");
+    choose(&mut harness, "Compared", "Difference");
+    assert_eq!(
+        harness.state().session.views.hemisphere.comparison,
+        Comparison::Difference
+    );
+    let shows = |harness: &Harness<'_, App>, name: &str| {
+        harness
+            .query_by_role_and_label(Role::Canvas, name)
+            .is_some()
+    };
+    assert!(!shows(&harness, "Gold") && shows(&harness, "Plastic") && shows(&harness, "Phong"));
+    choose(&mut harness, "Reference", "Phong");
+    assert!(shows(&harness, "Gold") && !shows(&harness, "Phong"));
+}
+
+#[test]
+fn a_click_on_slice_and_sphere_holds_the_pair_there() {
+    let mut harness = alone(session(&["gold"]), "slice");
+    let rect = canvas(&harness, "Gold");
+    // theta_h 45, theta_d 18: both directions lie equally far from n.
+    click_at(&mut harness, rect.min + vec2(0.5, 0.8) * rect.size());
+    let theta = harness.state().session.theta_deg;
+    let cosine = 45_f64.to_radians().cos() * 18_f64.to_radians().cos();
+    let expected = (1.0 - cosine * cosine).sqrt().atan2(cosine).to_degrees();
+    assert!((theta - expected).abs() < 1.0, "{theta} {expected}");
+
+    let mut harness = alone(session(&["gold"]), "sphere");
+    let rect = canvas(&harness, "Sphere of Gold");
+    // In the middle n points to the viewer: the light is as far from n as from the viewer.
+    click_at(&mut harness, rect.center());
+    let session = &harness.state().session;
+    assert!(
+        (session.theta_deg - session.views.sphere.theta_deg).abs() < 1.5,
+        "{}",
+        session.theta_deg
+    );
+}
+
+#[test]
+fn the_light_of_the_sphere_is_dragged_even_behind_it() {
+    let mut harness = alone(session(&["gold"]), "sphere");
+    let rect = canvas(&harness, "Sphere of Gold");
+    drag(
+        &mut harness,
+        "Light of the sphere",
+        rect.center() + vec2(0.25 * rect.width(), 0.0),
+    );
+    let options = harness.state().session.views.sphere;
+    assert!(
+        options.phi_deg.abs() < 1.0 && (options.theta_deg - 31.4).abs() < 2.0,
+        "{options:?}"
+    );
+    drag(
+        &mut harness,
+        "Light of the sphere",
+        rect.right_center() + vec2(20.0, 0.0),
+    );
+    assert!(harness.state().session.views.sphere.theta_deg > 90.0);
+}
+
+#[test]
+fn parts_plots_and_factors_are_chosen() {
+    let mut harness = alone(session(&["plastic"]), "reflectance");
+    choose(&mut harness, "Parts", "Lobe");
+    assert_eq!(harness.state().session.views.reflectance.split, Split::Lobe);
+    let mut harness = alone(session(&["plastic"]), "sampling");
+    for plot in SamplingPlot::ALL {
+        choose(&mut harness, "Show", plot.title());
+        assert_eq!(harness.state().session.views.sampling.plot, *plot);
+    }
+    let mut harness = alone(session(&["oren_nayar"]), "decomposition");
+    choose(&mut harness, "Into", "D, G, F");
+    let line = "No microfacet model among them: only those have D, G and F";
+    assert!(harness.query_by_label(line).is_some());
+}
