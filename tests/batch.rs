@@ -168,4 +168,18 @@ fn slices_of_unequal_length_end_with_the_shortest() {
             .all(|x| *x == 0.8 / std::f64::consts::PI * 1.0)
     );
     assert!(pdf[70..].iter().all(|x| *x == 7.0));
+    let (mut short_red, mut green, mut blue) = ([7.0; 65], [7.0; 80], [7.0; 80]);
+    let job = Job::FPdf {
+        wo: [&long, &[0.0; 100], &short],
+        wi: [&long, &[0.0; 100], &short],
+        f: [&mut short_red, &mut green, &mut blue],
+        pdf: &mut pdf,
+    };
+    bxdf.batch(Path::Dispatched, job);
+    assert!(green[..65].iter().all(|x| *x != 7.0) && green[65..].iter().all(|x| *x == 7.0));
+    assert!(
+        pdf[65..70]
+            .iter()
+            .all(|x| *x == 0.8 / std::f64::consts::PI * 1.0)
+    );
 }

@@ -38,10 +38,29 @@ pub trait Bxdf<R: Real>: Send + Sync {
     /// Its integral over the sphere is the probability that `sample_f` returns a sample that is no delta.
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R;
 
+    /// [`Self::f`] and [`Self::pdf`], to the bit, where both are wanted: models compute once what the two share.
+    #[inline(always)]
+    fn f_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> (Spectrum<R>, R) {
+        (self.f(wo, wi), self.pdf(wo, wi))
+    }
+
     /// A direction of incidence for `wo`: `uc` chooses among lobes, `u` a direction, all uniform in [0, 1).
     ///
     /// `None` is "no sample": a random choice that leaves the hemisphere, or total internal reflection.
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>>;
+
+    /// The sample `wi` for `wo`, with its value and its density; see [`Sample::with_density`].
+    #[inline(always)]
+    fn sample_at(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Sample<R>> {
+        let (f, pdf) = self.f_pdf(wo, wi);
+        let sample = Sample {
+            wi,
+            f,
+            pdf,
+            is_delta: false,
+        };
+        sample.with_density()
+    }
 
     /// The lobes that have a value at these parameters, each of which can be evaluated, drawn and integrated by itself
     /// under its index. Dirac deltas are not among them.
@@ -215,13 +234,7 @@ pub fn sample_reflection<R: Real>(
     sample_above: impl FnOnce(Vec3<R>) -> Option<Vec3<R>>,
 ) -> Option<Sample<R>> {
     let wi = reflected_direction(wo, sample_above)?;
-    let sample = Sample {
-        wi,
-        f: model.f(wo, wi),
-        pdf: model.pdf(wo, wi),
-        is_delta: false,
-    };
-    sample.with_density()
+    model.sample_at(wo, wi)
 }
 
 /// The direction on the side of `wo` that `sample_above` draws for a `wo` above the surface, mirrored where it is below.

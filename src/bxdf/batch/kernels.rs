@@ -71,6 +71,40 @@ impl<R: Real> Kernel<R, 6, 1> for Densities {
     }
 }
 
+/// The value and the density of each pair.
+pub(super) struct ValuesAndDensities;
+
+impl<R: Real> Kernel<R, 6, 4> for ValuesAndDensities {
+    #[inline(always)]
+    fn block<B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
+        [r, g, b, pdf]: [&mut Block<R::Stored>; 4],
+    ) {
+        values_and_densities(bxdf, [ox, oy, oz], [ix, iy, iz], r, g, b, pdf);
+    }
+}
+
+/// As for [`values`].
+#[inline(always)]
+fn values_and_densities<R: Real, B: Bxdf<R> + ?Sized>(
+    bxdf: &B,
+    wo: [&Block<R::Stored>; 3],
+    wi: [&Block<R::Stored>; 3],
+    r: &mut Block<R::Stored>,
+    g: &mut Block<R::Stored>,
+    b: &mut Block<R::Stored>,
+    pdf: &mut Block<R::Stored>,
+) {
+    let out = r.iter_mut().zip(g).zip(b).zip(pdf);
+    for ((wo, wi), (((r, g), b), pdf)) in directions(wo).zip(directions(wi)).zip(out) {
+        let (Spectrum(f), density) = bxdf.f_pdf(wo, wi);
+        [*r, *g, *b] = f.map(R::store);
+        *pdf = density.store();
+    }
+}
+
 /// A sample for each direction.
 pub(super) struct Samples;
 

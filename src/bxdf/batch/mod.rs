@@ -11,7 +11,7 @@ use fearless_simd::Simd;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd_macros::simd;
 
-use kernels::{BLOCK, Block, Densities, Kernel, LobeSamples, Samples, Values};
+use kernels::{BLOCK, Block, Densities, Kernel, LobeSamples, Samples, Values, ValuesAndDensities};
 
 use super::Bxdf;
 use super::math::Real;
@@ -149,11 +149,6 @@ pub(in crate::bxdf) fn run<R: Real, B: Bxdf<R> + ?Sized>(
     job: Job<'_, R::Stored>,
 ) {
     match job {
-        // One after the other: each loop is short enough to vectorise.
-        Job::FPdf { wo, wi, f, pdf } => {
-            run(bxdf, path, Job::F { wo, wi, f });
-            run(bxdf, path, Job::Pdf { wo, wi, pdf });
-        }
         job if R::VECTORISES && path == Path::Dispatched => dispatch(bxdf, job),
         job => work(bxdf, job),
     }
@@ -194,8 +189,11 @@ fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
     match job {
         Job::F { wo, wi, f } => in_blocks(&Values, bxdf, pairs(wo, wi), f),
         Job::Pdf { wo, wi, pdf } => in_blocks(&Densities, bxdf, pairs(wo, wi), [pdf]),
-        // Taken apart by `run`.
-        Job::FPdf { .. } => {}
+        Job::FPdf { wo, wi, f, pdf } => {
+            let [r, g, b] = f;
+            let kernel = ValuesAndDensities;
+            in_blocks(&kernel, bxdf, pairs(wo, wi), [r, g, b, pdf]);
+        }
         Job::Sample {
             wo,
             uc,

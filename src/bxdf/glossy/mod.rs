@@ -5,9 +5,10 @@ pub mod cosine_power;
 pub mod gaussian_slopes;
 
 use super::math::{Real, Vec3, warp};
+use super::microfacet::{Pair, evaluated_by_pair};
 use super::optics::Spectrum;
 use super::param::{ParamSpec, Scale};
-use super::{Bxdf, Category, Lobe, Sample, both_above, reflected_direction, sample_reflection};
+use super::{Bxdf, Category, Lobe, Sample, reflected_direction, sample_reflection};
 
 /// The lobes of a [`Mixture`], in its order.
 pub const LOBES: &[Lobe] = &[
@@ -41,16 +42,16 @@ pub const fn exponent(name: &'static str, default: f64, meaning: &'static str) -
 /// A glossy lobe and a diffuse one, both reflecting. All directions are above the surface.
 pub trait OverDiffuse<R: Real>: Send + Sync {
     /// The value of the glossy lobe in 1/sr, saturated.
-    fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R>;
+    fn glossy(&self, pair: &Pair<R>) -> Spectrum<R>;
 
     /// The density per solid angle of [`Self::sample_glossy`], in 1/sr, saturated.
-    fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R;
+    fn glossy_pdf(&self, pair: &Pair<R>) -> R;
 
     /// A direction distributed as the glossy lobe; it may leave below the horizon. `u` uniform in [0, 1).
     fn sample_glossy(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>>;
 
     /// The value of the diffuse lobe in 1/sr.
-    fn diffuse(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R>;
+    fn diffuse(&self, pair: &Pair<R>) -> Spectrum<R>;
 
     /// The probabilities with which a sample for `wo` is drawn from the glossy and from the diffuse lobe; see [`shares`].
     fn shares(&self, wo: Vec3<R>) -> [R; 2];
@@ -81,24 +82,28 @@ pub fn reflected<R: Real>(w: Vec3<R>, wh: Vec3<R>) -> Vec3<R> {
 /// The two-sided model of a glossy lobe over a diffuse one.
 pub struct Mixture<M>(pub M);
 
-impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
+impl<M> Mixture<M> {
     #[inline(always)]
-    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return Spectrum::black();
-        };
-        (self.0.glossy(wo, wi) + self.0.diffuse(wo, wi)).saturated()
+    fn value<R: Real>(&self, pair: &Pair<R>) -> Spectrum<R>
+    where
+        M: OverDiffuse<R>,
+    {
+        (self.0.glossy(pair) + self.0.diffuse(pair)).saturated()
     }
 
     #[inline(always)]
-    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return R::zero();
-        };
-        let [glossy, diffuse] = self.0.shares(wo);
-        (glossy * self.0.glossy_pdf(wo, wi) + diffuse * warp::cosine_hemisphere_pdf(wi.z))
+    fn density<R: Real>(&self, pair: &Pair<R>) -> R
+    where
+        M: OverDiffuse<R>,
+    {
+        let [glossy, diffuse] = self.0.shares(pair.wo);
+        (glossy * self.0.glossy_pdf(pair) + diffuse * warp::cosine_hemisphere_pdf(pair.wi.z))
             .saturated()
     }
+}
+
+impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
+    evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
@@ -123,23 +128,23 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
 
     #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return Spectrum::black();
         };
         match index {
-            0 => self.0.glossy(wo, wi),
-            _ => self.0.diffuse(wo, wi),
+            0 => self.0.glossy(&pair),
+            _ => self.0.diffuse(&pair),
         }
     }
 
     #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return R::zero();
         };
         match index {
-            0 => self.0.glossy_pdf(wo, wi),
-            _ => warp::cosine_hemisphere_pdf(wi.z),
+            0 => self.0.glossy_pdf(&pair),
+            _ => warp::cosine_hemisphere_pdf(pair.wi.z),
         }
     }
 

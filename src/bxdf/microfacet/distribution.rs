@@ -2,7 +2,7 @@
 
 use super::beckmann::Beckmann;
 use super::ggx::Ggx;
-use super::{Masked, Masking};
+use super::{Masked, Masking, Pair};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::param::{ParamSet, ParamSpec};
 
@@ -70,8 +70,9 @@ pub trait Normals<R: Real>: Copy + Send + Sync + 'static {
     /// D(wh) G2 / (4 mu_o mu_i), whether the directions lie on one side or on two: the reflected lobe less its Fresnel
     /// factor. Saturates.
     #[inline(always)]
-    fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
-        (self.d(wh) / self.inverse_visibility(wo, wi, masking)).saturated()
+    fn lobe(&self, pair: &Pair<R>, masking: Masking) -> R {
+        let inverse = self.inverse_visibility(pair.wo, pair.wi, masking);
+        (self.d(pair.wh) / inverse).saturated()
     }
 
     /// 4 mu_o mu_i / G2, above 0.
@@ -86,10 +87,10 @@ pub trait Normals<R: Real>: Copy + Send + Sync + 'static {
         self.masked(wo).g2(self.masked(wi), masking)
     }
 
-    /// The density per solid angle of `wi` when `wo` is reflected at a visible normal `wh`. Saturates.
+    /// The density per solid angle of `wi` when `wo` is reflected at a visible normal, that of `pair`. Saturates.
     #[inline(always)]
-    fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
-        (self.d(wh) / self.masked(wo).normals_per_direction()).saturated()
+    fn reflection_pdf(&self, pair: &Pair<R>) -> R {
+        (self.d(pair.wh) / self.masked(pair.wo).normals_per_direction()).saturated()
     }
 
     /// `wo` (on the upper side) reflected at a visible normal; it may leave below the horizon.

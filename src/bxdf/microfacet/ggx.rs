@@ -7,7 +7,7 @@
 //! None in value. tan(theta) never appears: near grazing it overflows, and near normal incidence 1 - cos^2 loses its
 //! digits. In f32 at alpha 1e-3 the form used here is good to 7e-7, the textbook form to 38 %.
 
-use super::{Masked, Masking, Normals};
+use super::{Masked, Masking, Normals, Pair};
 use crate::bxdf::math::{Real, Vec3};
 
 /// GGX with widths `alpha_x`, `alpha_y` along s and t, both above 0.
@@ -58,15 +58,15 @@ impl<R: Real> Normals<R> for Ggx<R> {
 
     /// One division for all: their product is at most alpha^-4, and underflows where the visibility itself does.
     #[inline(always)]
-    fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, masking: Masking) -> R {
-        let inverse = self.inverse_visibility(wo, wi, masking);
-        (self.peak / (self.below_peak(wh) * inverse)).saturated()
+    fn lobe(&self, pair: &Pair<R>, masking: Masking) -> R {
+        let inverse = self.inverse_visibility(pair.wo, pair.wi, masking);
+        (self.peak / (self.below_peak(pair.wh) * inverse)).saturated()
     }
 
     #[inline(always)]
-    fn reflection_pdf(&self, wo: Vec3<R>, wh: Vec3<R>) -> R {
-        let inverse = self.masked(wo).normals_per_direction();
-        (self.peak / (self.below_peak(wh) * inverse)).saturated()
+    fn reflection_pdf(&self, pair: &Pair<R>) -> R {
+        let inverse = self.masked(pair.wo).normals_per_direction();
+        (self.peak / (self.below_peak(pair.wh) * inverse)).saturated()
     }
 
     #[inline(always)]
@@ -126,12 +126,8 @@ mod tests {
         for i in 0..steps {
             let (sin, cos) = ((f64::from(i) + 0.5) * width).sin_cos();
             let wi = Vec3::new(sin, 0.0, cos);
-            let (wh, _) = super::super::half_vector(wo, wi).unwrap();
-            sum += ggx.lobe(wo, wi, wh, Masking::Separable)
-                * cos
-                * sin
-                * width
-                * std::f64::consts::TAU;
+            let pair = Pair::above(wo, wi).unwrap();
+            sum += ggx.lobe(&pair, Masking::Separable) * cos * sin * width * std::f64::consts::TAU;
         }
         // Midpoint rule, error of order width^2.
         assert!((sum - (1.0 - std::f64::consts::LN_2)).abs() < 1e-8, "{sum}");

@@ -10,7 +10,9 @@ pub mod multiple_scattering;
 
 pub use distribution::{Distribution, Normals};
 
+use crate::bxdf::both_above;
 use crate::bxdf::math::{Real, Vec3};
+use crate::bxdf::optics::fresnel::{self, Dielectric};
 use crate::bxdf::param::{ParamSet, ParamSpec, Scale};
 
 /// How masking (towards the viewer) and shadowing (towards the light) go together.
@@ -106,6 +108,69 @@ pub const fn alpha(name: &'static str, default: f64, meaning: &'static str) -> P
         .soft(0.01, 1.0)
         .scale(Scale::Logarithmic)
 }
+
+/// Two directions above the surface, and the microfacet that mirrors the one into the other.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<R> {
+    /// The outgoing direction.
+    pub wo: Vec3<R>,
+    /// The incident direction.
+    pub wi: Vec3<R>,
+    /// Their half vector.
+    pub wh: Vec3<R>,
+    /// Its cosine with both.
+    pub cos_d: R,
+}
+
+impl<R: Real> Pair<R> {
+    /// `wo` and `wi`, mirrored in the surface where both are below. `None` as of [`both_above`] and of [`half_vector`].
+    #[inline(always)]
+    pub fn above(wo: Vec3<R>, wi: Vec3<R>) -> Option<Self> {
+        let (wo, wi) = both_above(wo, wi)?;
+        let (wh, cos_d) = half_vector(wo, wi)?;
+        Some(Self { wo, wi, wh, cos_d })
+    }
+
+    /// What a facet of relative index `n` does with light between the two.
+    #[inline(always)]
+    pub fn dielectric(&self, n: R) -> Dielectric<R> {
+        // Half the angle between the two: |wo - wi| / 2 is its sine.
+        let sin2 = (self.wo - self.wi).length_squared() * R::of(0.25);
+        fresnel::dielectric_with_sine(self.cos_d, sin2, n)
+    }
+}
+
+/// The methods `f`, `pdf` and `f_pdf` of a model that has methods `value` and `density` of a [`Pair`], which the function
+/// given makes of two directions.
+macro_rules! evaluated_by_pair {
+    ($pair:path) => {
+        #[inline(always)]
+        fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+            let Some(pair) = $pair(wo, wi) else {
+                return Spectrum::black();
+            };
+            self.value(&pair)
+        }
+
+        #[inline(always)]
+        fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+            let Some(pair) = $pair(wo, wi) else {
+                return R::zero();
+            };
+            self.density(&pair)
+        }
+
+        #[inline(always)]
+        fn f_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> (Spectrum<R>, R) {
+            let Some(pair) = $pair(wo, wi) else {
+                return (Spectrum::black(), R::zero());
+            };
+            (self.value(&pair), self.density(&pair))
+        }
+    };
+}
+
+pub(crate) use evaluated_by_pair;
 
 /// The half vector wi + wo, as the unit vector `wh` and the cosine `cos_d` of `wo` (and `wi`) with it.
 ///

@@ -19,7 +19,7 @@
 use super::*;
 use crate::bxdf::glossy::cosine_power::{azimuth, ln_cos_over_sin2, sample_about_z};
 use crate::bxdf::glossy::{LOBES, Mixture, OverDiffuse, exponent, reflected, shares};
-use crate::bxdf::microfacet::half_vector;
+use crate::bxdf::microfacet::Pair;
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
 
@@ -113,10 +113,8 @@ impl<R: Real> AshikhminShirley<R> {
 
 impl<R: Real> OverDiffuse<R> for AshikhminShirley<R> {
     #[inline(always)]
-    fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return Spectrum::black();
-        };
+    fn glossy(&self, pair: &Pair<R>) -> Spectrum<R> {
+        let Pair { wo, wi, wh, cos_d } = *pair;
         // peak/4 (n.wh)^(e-1) times (n.wh) / ((wo.wh) max(mu_o, mu_i)).
         let power = self.peak * R::of(0.125) * self.power_less_one(wh);
         let cosines = (wo.z + wi.z) / wo.z.max(wi.z);
@@ -125,10 +123,8 @@ impl<R: Real> OverDiffuse<R> for AshikhminShirley<R> {
     }
 
     #[inline(always)]
-    fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return R::zero();
-        };
+    fn glossy_pdf(&self, pair: &Pair<R>) -> R {
+        let Pair { wh, cos_d, .. } = *pair;
         let of_wh = self.peak * self.power_less_one(wh) * wh.z;
         (of_wh / (R::of(4.0) * cos_d)).saturated()
     }
@@ -146,9 +142,9 @@ impl<R: Real> OverDiffuse<R> for AshikhminShirley<R> {
     }
 
     #[inline(always)]
-    fn diffuse(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+    fn diffuse(&self, pair: &Pair<R>) -> Spectrum<R> {
         let normalisation = R::of(28.0) / R::of(23.0) * R::FRAC_1_PI();
-        self.diffuse * (normalisation * let_through(wo.z) * let_through(wi.z))
+        self.diffuse * (normalisation * let_through(pair.wo.z) * let_through(pair.wi.z))
     }
 
     #[inline(always)]

@@ -16,7 +16,7 @@ use super::*;
 use crate::bxdf::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exponent, reflected, shares,
 };
-use crate::bxdf::microfacet::half_vector;
+use crate::bxdf::microfacet::Pair;
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
 
@@ -80,18 +80,13 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 
 impl<R: Real> OverDiffuse<R> for BlinnPhong<R> {
     #[inline(always)]
-    fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wh, _)) = half_vector(wo, wi) else {
-            return Spectrum::black();
-        };
-        self.peak * cosine_power::of_normal(wh, self.exponent)
+    fn glossy(&self, pair: &Pair<R>) -> Spectrum<R> {
+        self.peak * cosine_power::of_normal(pair.wh, self.exponent)
     }
 
     #[inline(always)]
-    fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return R::zero();
-        };
+    fn glossy_pdf(&self, pair: &Pair<R>) -> R {
+        let Pair { wh, cos_d, .. } = *pair;
         let power = cosine_power::of_normal(wh, self.exponent);
         // (n + 1) / (2 pi) cos^n per solid angle of wh, 4 (wo.wh) of wi for one of wh.
         let of_wh = (self.exponent + R::one()) * R::of(0.5) * R::FRAC_1_PI() * power;
@@ -106,7 +101,7 @@ impl<R: Real> OverDiffuse<R> for BlinnPhong<R> {
     }
 
     #[inline(always)]
-    fn diffuse(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
+    fn diffuse(&self, _pair: &Pair<R>) -> Spectrum<R> {
         self.diffuse
     }
 

@@ -18,10 +18,10 @@
 use super::*;
 use crate::bxdf::glossy::gaussian_slopes::GaussianSlopes;
 use crate::bxdf::glossy::reflected;
-use crate::bxdf::microfacet::{alpha, half_vector};
+use crate::bxdf::microfacet::{Pair, alpha, evaluated_by_pair};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Microfacet, both_above, sample_reflection};
+use crate::bxdf::{Microfacet, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -95,7 +95,8 @@ fn groove_masking<R: Real>(cos_o: R, cos_i: R, cos_h: R, cos_d: R) -> R {
 impl<R: Real> CookTorrance<R> {
     /// D G / (4 mu_o mu_i), saturated.
     #[inline(always)]
-    fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, cos_d: R) -> R {
+    fn lobe(&self, pair: &Pair<R>) -> R {
+        let Pair { wo, wi, wh, cos_d } = *pair;
         let d = self.slopes.d(wh);
         let (smaller, larger) = (wo.z.min(wi.z), wo.z.max(wi.z));
         let value = if groove_masking(wo.z, wi.z, wh.z, cos_d) < R::one() {
@@ -107,30 +108,20 @@ impl<R: Real> CookTorrance<R> {
         };
         value.saturated()
     }
+
+    #[inline(always)]
+    fn value(&self, pair: &Pair<R>) -> Spectrum<R> {
+        self.f0.map(|f0| reflectance(pair.cos_d, f0)) * self.lobe(pair)
+    }
+
+    #[inline(always)]
+    fn density(&self, pair: &Pair<R>) -> R {
+        (self.slopes.normal_pdf(pair.wh) * R::of(0.25) / pair.cos_d).saturated()
+    }
 }
 
 impl<R: Real> Bxdf<R> for CookTorrance<R> {
-    #[inline(always)]
-    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return Spectrum::black();
-        };
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return Spectrum::black();
-        };
-        self.f0.map(|f0| reflectance(cos_d, f0)) * self.lobe(wo, wi, wh, cos_d)
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return R::zero();
-        };
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return R::zero();
-        };
-        (self.slopes.normal_pdf(wh) * R::of(0.25) / cos_d).saturated()
-    }
+    evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
@@ -147,8 +138,7 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
     }
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
-        let (wo, wi) = both_above(wo, wi)?;
-        let (wh, cos_d) = half_vector(wo, wi)?;
+        let Pair { wo, wi, wh, cos_d } = Pair::above(wo, wi)?;
         Some(Microfacet {
             d: self.slopes.d(wh),
             g: groove_masking(wo.z, wi.z, wh.z, cos_d),

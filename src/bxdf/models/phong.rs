@@ -17,6 +17,7 @@ use super::*;
 use crate::bxdf::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exponent, shares,
 };
+use crate::bxdf::microfacet::Pair;
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
 
@@ -74,23 +75,23 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Phong<R> {
-    /// cos^n / (2 pi), the angle being that of `wi` with the mirror direction of `wo`.
+    /// cos^n / (2 pi), the angle being that of wi with the mirror direction of wo.
     #[inline(always)]
-    fn power(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let mirror = wo.mirrored_about_normal();
-        cosine_power::between(wi, mirror, self.exponent) * R::of(0.5) * R::FRAC_1_PI()
+    fn power(&self, pair: &Pair<R>) -> R {
+        let mirror = pair.wo.mirrored_about_normal();
+        cosine_power::between(pair.wi, mirror, self.exponent) * R::of(0.5) * R::FRAC_1_PI()
     }
 }
 
 impl<R: Real> OverDiffuse<R> for Phong<R> {
     #[inline(always)]
-    fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        self.specular * ((self.exponent + R::of(2.0)) * self.power(wo, wi))
+    fn glossy(&self, pair: &Pair<R>) -> Spectrum<R> {
+        self.specular * ((self.exponent + R::of(2.0)) * self.power(pair))
     }
 
     #[inline(always)]
-    fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        (self.exponent + R::one()) * self.power(wo, wi)
+    fn glossy_pdf(&self, pair: &Pair<R>) -> R {
+        (self.exponent + R::one()) * self.power(pair)
     }
 
     #[inline(always)]
@@ -101,7 +102,7 @@ impl<R: Real> OverDiffuse<R> for Phong<R> {
     }
 
     #[inline(always)]
-    fn diffuse(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
+    fn diffuse(&self, _pair: &Pair<R>) -> Spectrum<R> {
         self.diffuse
     }
 

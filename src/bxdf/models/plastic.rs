@@ -19,11 +19,11 @@
 use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{Distribution, Masking, Normals, half_vector};
+use crate::bxdf::microfacet::{Distribution, Masking, Normals, Pair, evaluated_by_pair};
 use crate::bxdf::optics::diffuse_fresnel::diffuse_transmittance;
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{Delta, Deltas, Microfacet, both_above, reflected_direction, sample_reflection};
+use crate::bxdf::{Delta, Deltas, Microfacet, reflected_direction, sample_reflection};
 
 /// The smallest width of a rough coat.
 const SMALLEST_ALPHA: f64 = 1e-4;
@@ -139,37 +139,39 @@ fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn B
 }
 
 impl<R: Real, N: Normals<R>> Plastic<R, N> {
-    /// The coat's lobe, of directions above the surface; 0 where it is a delta.
+    /// The coat's lobe; 0 where it is a delta.
     #[inline(always)]
-    fn coat_value(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let (Some((normals, masking)), Some((wh, cos_d))) = (&self.coat, half_vector(wo, wi))
-        else {
+    fn coat_value(&self, pair: &Pair<R>) -> Spectrum<R> {
+        let Some((normals, masking)) = &self.coat else {
             return Spectrum::black();
         };
-        let share = self.facet_reflectance(wo, wi, cos_d);
-        Spectrum::grey(share * normals.lobe(wo, wi, wh, *masking))
+        Spectrum::grey(pair.dielectric(self.eta).reflectance * normals.lobe(pair, *masking))
     }
 
-    /// The density of the coat's visible normals, of directions above the surface; 0 where it is a delta.
+    /// The density of the coat's visible normals; 0 where it is a delta.
     #[inline(always)]
-    fn coat_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let (Some((normals, _)), Some((wh, _))) = (&self.coat, half_vector(wo, wi)) else {
+    fn coat_pdf(&self, pair: &Pair<R>) -> R {
+        let Some((normals, _)) = &self.coat else {
             return R::zero();
         };
-        normals.reflection_pdf(wo, wh)
+        normals.reflection_pdf(pair)
     }
 
     #[inline(always)]
-    fn facet_reflectance(&self, wo: Vec3<R>, wi: Vec3<R>, cos_d: R) -> R {
-        // Half the angle between the two: |wo - wi| / 2 is its sine.
-        let sin2 = (wo - wi).length_squared() * R::of(0.25);
-        fresnel::dielectric_with_sine(cos_d, sin2, self.eta).reflectance
-    }
-
-    #[inline(always)]
-    fn ground_value(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+    fn ground_value(&self, pair: &Pair<R>) -> Spectrum<R> {
         let through = |w| fresnel::dielectric_along(w, self.eta).transmittance;
-        self.ground * (through(wo) * through(wi))
+        self.ground * (through(pair.wo) * through(pair.wi))
+    }
+
+    #[inline(always)]
+    fn value(&self, pair: &Pair<R>) -> Spectrum<R> {
+        (self.coat_value(pair) + self.ground_value(pair)).saturated()
+    }
+
+    #[inline(always)]
+    fn density(&self, pair: &Pair<R>) -> R {
+        let [coat, ground] = self.shares(pair.wo);
+        coat * self.coat_pdf(pair) + ground * warp::cosine_hemisphere_pdf(pair.wi.z)
     }
 
     /// The probabilities of sampling the coat and the ground: their shares of the light seen along `w`. Neither is 1 less
@@ -191,22 +193,7 @@ impl<R: Real, N: Normals<R>> Plastic<R, N> {
 }
 
 impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
-    #[inline(always)]
-    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return Spectrum::black();
-        };
-        (self.coat_value(wo, wi) + self.ground_value(wo, wi)).saturated()
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return R::zero();
-        };
-        let [coat_share, ground_share] = self.shares(wo);
-        coat_share * self.coat_pdf(wo, wi) + ground_share * warp::cosine_hemisphere_pdf(wi.z)
-    }
+    evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
@@ -232,23 +219,23 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
 
     #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return Spectrum::black();
         };
         match index {
-            0 => self.coat_value(wo, wi),
-            _ => self.ground_value(wo, wi),
+            0 => self.coat_value(&pair),
+            _ => self.ground_value(&pair),
         }
     }
 
     #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return R::zero();
         };
         match index {
-            0 => self.coat_pdf(wo, wi),
-            _ => warp::cosine_hemisphere_pdf(wi.z),
+            0 => self.coat_pdf(&pair),
+            _ => warp::cosine_hemisphere_pdf(pair.wi.z),
         }
     }
 
@@ -267,12 +254,11 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
         let (normals, masking) = self.coat.as_ref()?;
-        let (wo, wi) = both_above(wo, wi)?;
-        let (wh, cos_d) = half_vector(wo, wi)?;
+        let pair = Pair::above(wo, wi)?;
         Some(Microfacet {
-            d: normals.d(wh),
-            g: normals.g2(wo, wi, *masking),
-            fresnel: Spectrum::grey(self.facet_reflectance(wo, wi, cos_d)),
+            d: normals.d(pair.wh),
+            g: normals.g2(pair.wo, pair.wi, *masking),
+            fresnel: Spectrum::grey(pair.dielectric(self.eta).reflectance),
         })
     }
 

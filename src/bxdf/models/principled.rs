@@ -18,11 +18,11 @@ use crate::bxdf::glossy::reflected;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::ggx::Ggx;
 use crate::bxdf::microfacet::gtr1::Gtr1;
-use crate::bxdf::microfacet::{Masking, Normals, half_vector};
+use crate::bxdf::microfacet::{Masking, Normals, Pair, evaluated_by_pair};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::fresnel::{schlick_rest, schlick_weight};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{both_above, reflected_direction, sample_reflection};
+use crate::bxdf::{reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -183,22 +183,6 @@ fn mix<R: Real>(a: R, b: R, amount: R) -> R {
     a * (R::one() - amount) + b * amount
 }
 
-/// A pair of directions above the surface.
-struct Pair<R> {
-    wo: Vec3<R>,
-    wi: Vec3<R>,
-    wh: Vec3<R>,
-    cos_d: R,
-}
-
-impl<R: Real> Pair<R> {
-    fn new(wo: Vec3<R>, wi: Vec3<R>) -> Option<Self> {
-        let (wo, wi) = both_above(wo, wi)?;
-        let (wh, cos_d) = half_vector(wo, wi)?;
-        Some(Self { wo, wi, wh, cos_d })
-    }
-}
-
 impl<R: Real> Principled<R> {
     #[inline(always)]
     fn diffuse(&self, pair: &Pair<R>) -> Spectrum<R> {
@@ -222,9 +206,7 @@ impl<R: Real> Principled<R> {
 
     #[inline(always)]
     fn specular(&self, pair: &Pair<R>) -> Spectrum<R> {
-        let lobe = self
-            .specular
-            .lobe(pair.wo, pair.wi, pair.wh, Masking::Separable);
+        let lobe = self.specular.lobe(pair, Masking::Separable);
         let weight = schlick_weight(pair.cos_d);
         self.f0.map(|f0| mix(f0, R::one(), weight) * lobe)
     }
@@ -261,29 +243,25 @@ impl<R: Real> Principled<R> {
         let sum = specular + diffuse + coat;
         [specular / sum, diffuse / sum, coat / sum]
     }
+
+    #[inline(always)]
+    fn value(&self, pair: &Pair<R>) -> Spectrum<R> {
+        let body = self.diffuse(pair) + self.sheen(pair);
+        (self.specular(pair) + body + self.clearcoat(pair)).saturated()
+    }
+
+    #[inline(always)]
+    fn density(&self, pair: &Pair<R>) -> R {
+        let [specular, diffuse, coat] = self.shares(pair.wo.z);
+        let sum = specular * self.specular.reflection_pdf(pair)
+            + diffuse * warp::cosine_hemisphere_pdf(pair.wi.z)
+            + coat * self.coat_pdf(pair);
+        sum.saturated()
+    }
 }
 
 impl<R: Real> Bxdf<R> for Principled<R> {
-    #[inline(always)]
-    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some(pair) = Pair::new(wo, wi) else {
-            return Spectrum::black();
-        };
-        let body = self.diffuse(&pair) + self.sheen(&pair);
-        (self.specular(&pair) + body + self.clearcoat(&pair)).saturated()
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some(pair) = Pair::new(wo, wi) else {
-            return R::zero();
-        };
-        let [specular, diffuse, coat] = self.shares(pair.wo.z);
-        let sum = specular * self.specular.reflection_pdf(pair.wo, pair.wh)
-            + diffuse * warp::cosine_hemisphere_pdf(pair.wi.z)
-            + coat * self.coat_pdf(&pair);
-        sum.saturated()
-    }
+    evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
@@ -310,7 +288,7 @@ impl<R: Real> Bxdf<R> for Principled<R> {
 
     #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some(pair) = Pair::new(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return Spectrum::black();
         };
         match index {
@@ -323,11 +301,11 @@ impl<R: Real> Bxdf<R> for Principled<R> {
 
     #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some(pair) = Pair::new(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return R::zero();
         };
         match index {
-            0 => self.specular.reflection_pdf(pair.wo, pair.wh),
+            0 => self.specular.reflection_pdf(&pair),
             1 | 2 => warp::cosine_hemisphere_pdf(pair.wi.z),
             _ => self.coat_pdf(&pair),
         }

@@ -14,10 +14,10 @@
 
 use super::*;
 use crate::bxdf::microfacet::ggx::Ggx;
-use crate::bxdf::microfacet::{Masking, Normals, alpha, half_vector};
+use crate::bxdf::microfacet::{Masking, Normals, Pair, alpha, evaluated_by_pair};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{both_above, sample_reflection};
+use crate::bxdf::sample_reflection;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -55,29 +55,26 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     })
 }
 
-impl<R: Real> Bxdf<R> for RetroReflector<R> {
+impl<R: Real> RetroReflector<R> {
+    /// `wo` and `wi` turned back about the normal.
     #[inline(always)]
-    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return Spectrum::black();
-        };
-        let back = wi.mirrored_about_normal();
-        let Some((wh, _)) = half_vector(wo, back) else {
-            return Spectrum::black();
-        };
-        self.reflectance * self.ggx.lobe(wo, back, wh, Masking::Correlated)
+    fn pair(wo: Vec3<R>, wi: Vec3<R>) -> Option<Pair<R>> {
+        Pair::above(wo, wi.mirrored_about_normal())
     }
 
     #[inline(always)]
-    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return R::zero();
-        };
-        let Some((wh, _)) = half_vector(wo, wi.mirrored_about_normal()) else {
-            return R::zero();
-        };
-        self.ggx.reflection_pdf(wo, wh)
+    fn value(&self, pair: &Pair<R>) -> Spectrum<R> {
+        self.reflectance * self.ggx.lobe(pair, Masking::Correlated)
     }
+
+    #[inline(always)]
+    fn density(&self, pair: &Pair<R>) -> R {
+        self.ggx.reflection_pdf(pair)
+    }
+}
+
+impl<R: Real> Bxdf<R> for RetroReflector<R> {
+    evaluated_by_pair!(Self::pair);
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {

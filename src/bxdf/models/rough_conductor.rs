@@ -25,12 +25,14 @@ use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
+use crate::bxdf::microfacet::{
+    ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, Pair, evaluated_by_pair,
+};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::conductor::Conductor;
 use crate::bxdf::optics::facet_fresnel::{AnyFresnel, FacetFresnel, One, Schlick};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Microfacet, both_above, reflected_direction, sample_reflection};
+use crate::bxdf::{Microfacet, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -169,24 +171,27 @@ where
     F: FacetFresnel<R>,
     C: SeveralFacets<R>,
 {
-    /// The lobe of one reflection, of directions above the surface.
+    /// The lobe of one reflection.
     #[inline(always)]
-    fn single(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return Spectrum::black();
-        };
-        let lobe = self.normals.lobe(wo, wi, wh, self.masking);
-        let value = self.fresnel.at(cos_d) * self.compensation.factor(wo.z);
+    fn single(&self, pair: &Pair<R>) -> Spectrum<R> {
+        let lobe = self.normals.lobe(pair, self.masking);
+        let value = self.fresnel.at(pair.cos_d) * self.compensation.factor(pair.wo.z);
         (value * lobe).saturated()
     }
 
-    /// The density of the visible normals that reflect the one direction into the other, both above the surface.
     #[inline(always)]
-    fn single_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wh, _)) = half_vector(wo, wi) else {
-            return R::zero();
-        };
-        self.normals.reflection_pdf(wo, wh)
+    fn value(&self, pair: &Pair<R>) -> Spectrum<R> {
+        let sum = self.single(pair) + self.compensation.lobe(pair.wo.z, pair.wi.z);
+        sum.saturated()
+    }
+
+    #[inline(always)]
+    fn density(&self, pair: &Pair<R>) -> R {
+        let single = self.normals.reflection_pdf(pair);
+        match self.compensation.choice(pair.wo.z) {
+            Some((table, share)) => (R::one() - share) * single + share * table.pdf(pair.wi.z),
+            None => single,
+        }
     }
 }
 
@@ -197,26 +202,7 @@ where
     F: FacetFresnel<R>,
     C: SeveralFacets<R>,
 {
-    #[inline(always)]
-    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return Spectrum::black();
-        };
-        let sum = self.single(wo, wi) + self.compensation.lobe(wo.z, wi.z);
-        sum.saturated()
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
-            return R::zero();
-        };
-        let single = self.single_pdf(wo, wi);
-        match self.compensation.choice(wo.z) {
-            Some((table, share)) => (R::one() - share) * single + share * table.pdf(wi.z),
-            None => single,
-        }
-    }
+    evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
@@ -241,23 +227,23 @@ where
 
     #[inline(always)]
     fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wo, wi)) = both_above(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return Spectrum::black();
         };
         match index {
-            0 => self.single(wo, wi),
-            _ => self.compensation.lobe(wo.z, wi.z),
+            0 => self.single(&pair),
+            _ => self.compensation.lobe(pair.wo.z, pair.wi.z),
         }
     }
 
     #[inline(always)]
     fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wo, wi)) = both_above(wo, wi) else {
+        let Some(pair) = Pair::above(wo, wi) else {
             return R::zero();
         };
         match index {
-            0 => self.single_pdf(wo, wi),
-            _ => warp::cosine_hemisphere_pdf(wi.z),
+            0 => self.normals.reflection_pdf(&pair),
+            _ => warp::cosine_hemisphere_pdf(pair.wi.z),
         }
     }
 
@@ -274,12 +260,11 @@ where
     }
 
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
-        let (wo, wi) = both_above(wo, wi)?;
-        let (wh, cos_d) = half_vector(wo, wi)?;
+        let pair = Pair::above(wo, wi)?;
         Some(Microfacet {
-            d: self.normals.d(wh),
-            g: self.normals.g2(wo, wi, self.masking),
-            fresnel: self.fresnel.at(cos_d),
+            d: self.normals.d(pair.wh),
+            g: self.normals.g2(pair.wo, pair.wi, self.masking),
+            fresnel: self.fresnel.at(pair.cos_d),
         })
     }
 }

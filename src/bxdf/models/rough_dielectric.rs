@@ -20,10 +20,10 @@
 use super::*;
 use crate::bxdf::delta_only::{DeltaOnly, Unscattered};
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, half_vector};
+use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, Pair};
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Microfacet, are_across, both_above};
+use crate::bxdf::{Microfacet, are_across};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -85,9 +85,7 @@ fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn B
 
 /// A facet that turns `wo` into `wi`, in the frame in which `wo` is above.
 struct Facet<R> {
-    wo: Vec3<R>,
-    wi: Vec3<R>,
-    wh: Vec3<R>,
+    pair: Pair<R>,
     /// Reflectance or transmittance, whichever turns `wo` into `wi`.
     share: R,
     /// 4 |wo.h| times the solid angle of h per solid angle of `wi`: 1 in reflection.
@@ -112,15 +110,10 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
     #[inline(always)]
     fn mirror(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
         let (e, _) = self.index_across(wo);
-        let (wo, wi) = both_above(wo, wi)?;
-        let (wh, cos) = half_vector(wo, wi)?;
-        // Half the angle between the two: |wo - wi| / 2 is its sine.
-        let sin2 = (wo - wi).length_squared() * R::of(0.25);
+        let pair = Pair::above(wo, wi)?;
         Some(Facet {
-            wo,
-            wi,
-            wh,
-            share: fresnel::dielectric_with_sine(cos, sin2, e).reflectance,
+            share: pair.dielectric(e).reflectance,
+            pair,
             stretch: R::one(),
             factor: R::one(),
         })
@@ -148,9 +141,12 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         }
         let jacobian = R::of(4.0) * cos_o * cos_i / (length * length);
         Some(Facet {
-            wo,
-            wi,
-            wh,
+            pair: Pair {
+                wo,
+                wi,
+                wh,
+                cos_d: cos_o,
+            },
             share: fresnel::transmittance_between(cos_o, cos_i, e),
             stretch: jacobian * (e * e),
             factor: jacobian,
@@ -159,10 +155,14 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
 
     #[inline(always)]
     fn value(&self, facet: &Facet<R>) -> Spectrum<R> {
-        let lobe = self
-            .normals
-            .lobe(facet.wo, facet.wi, facet.wh, self.masking);
+        let lobe = self.normals.lobe(&facet.pair, self.masking);
         Spectrum::grey((facet.share * facet.factor * lobe).saturated())
+    }
+
+    #[inline(always)]
+    fn density(&self, facet: &Facet<R>) -> R {
+        let pdf = self.normals.reflection_pdf(&facet.pair);
+        (facet.share * facet.stretch * pdf).saturated()
     }
 
     #[inline(always)]
@@ -259,8 +259,15 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
         let Some(facet) = self.facet(wo, wi) else {
             return R::zero();
         };
-        let pdf = self.normals.reflection_pdf(facet.wo, facet.wh);
-        (facet.share * facet.stretch * pdf).saturated()
+        self.density(&facet)
+    }
+
+    #[inline(always)]
+    fn f_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> (Spectrum<R>, R) {
+        let Some(facet) = self.facet(wo, wi) else {
+            return (Spectrum::black(), R::zero());
+        };
+        (self.value(&facet), self.density(&facet))
     }
 
     #[inline(always)]
@@ -271,14 +278,8 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
             #[inline(always)]
             |reflectance| uc < reflectance,
         )?;
-        let sample = Sample {
-            wi,
-            f: self.f(wo, wi),
-            pdf: self.pdf(wo, wi),
-            is_delta: false,
-        };
         // At the edge of total reflection the way back from wi to its facet may fail by a rounding.
-        sample.with_density()
+        self.sample_at(wo, wi)
     }
 
     fn lobes(&self) -> &[Lobe] {
@@ -295,7 +296,7 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
         let Some(facet) = self.facet_of(index, wo, wi) else {
             return R::zero();
         };
-        let pdf = self.normals.reflection_pdf(facet.wo, facet.wh);
+        let pdf = self.normals.reflection_pdf(&facet.pair);
         (facet.stretch * pdf).saturated()
     }
 
@@ -312,8 +313,8 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
     fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
         let facet = self.facet(wo, wi)?;
         Some(Microfacet {
-            d: self.normals.d(facet.wh),
-            g: self.normals.g2(facet.wo, facet.wi, self.masking),
+            d: self.normals.d(facet.pair.wh),
+            g: self.normals.g2(facet.pair.wo, facet.pair.wi, self.masking),
             fresnel: Spectrum::grey(facet.share),
         })
     }

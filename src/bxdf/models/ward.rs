@@ -23,7 +23,7 @@
 use super::*;
 use crate::bxdf::glossy::gaussian_slopes::GaussianSlopes;
 use crate::bxdf::glossy::{DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, reflected, shares};
-use crate::bxdf::microfacet::{alpha, half_vector};
+use crate::bxdf::microfacet::{Pair, alpha};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::{ParamSet, Value};
 
@@ -140,7 +140,8 @@ impl<R: Real> Ward<R> {
     /// The glossy lobe at specular 1. The divisors come one after the other: their product can underflow where the value
     /// is still a number.
     #[inline(always)]
-    fn lobe(&self, wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, cos_d: R) -> R {
+    fn lobe(&self, pair: &Pair<R>) -> R {
+        let Pair { wo, wi, wh, cos_d } = *pair;
         let d = self.slopes.d(wh) * R::of(0.25);
         // E is Beckmann's D times cos^4, over 4.
         let e = d * (wh.z * wh.z).sqr();
@@ -155,19 +156,13 @@ impl<R: Real> Ward<R> {
 
 impl<R: Real> OverDiffuse<R> for Ward<R> {
     #[inline(always)]
-    fn glossy(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return Spectrum::black();
-        };
-        self.specular * self.lobe(wo, wi, wh, cos_d)
+    fn glossy(&self, pair: &Pair<R>) -> Spectrum<R> {
+        self.specular * self.lobe(pair)
     }
 
     #[inline(always)]
-    fn glossy_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        let Some((wh, cos_d)) = half_vector(wo, wi) else {
-            return R::zero();
-        };
-        (self.slopes.normal_pdf(wh) * R::of(0.25) / cos_d).saturated()
+    fn glossy_pdf(&self, pair: &Pair<R>) -> R {
+        (self.slopes.normal_pdf(pair.wh) * R::of(0.25) / pair.cos_d).saturated()
     }
 
     #[inline(always)]
@@ -176,7 +171,7 @@ impl<R: Real> OverDiffuse<R> for Ward<R> {
     }
 
     #[inline(always)]
-    fn diffuse(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
+    fn diffuse(&self, _pair: &Pair<R>) -> Spectrum<R> {
         self.diffuse
     }
 
