@@ -31,6 +31,7 @@ use crate::bxdf::microfacet::{
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::conductor::Conductor;
 use crate::bxdf::optics::facet_fresnel::{AnyFresnel, FacetFresnel, One, Schlick};
+use crate::bxdf::optics::metal::{GreyMetal, Metal};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, reflected_direction, sample_reflection};
 
@@ -128,13 +129,11 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 
 fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
     let spectrum = |name| Spectrum::of(params.rgb(name));
+    let (Spectrum(eta), Spectrum(k)) = (spectrum("eta"), spectrum("k"));
     let fresnel = match params.choice("fresnel") {
         "schlick" => AnyFresnel::Schlick(Schlick(spectrum("f0"))),
         "one" => AnyFresnel::One(One),
-        _ => {
-            let (Spectrum(eta), Spectrum(k)) = (spectrum("eta"), spectrum("k"));
-            AnyFresnel::Conductor(Conductor::new(eta, k))
-        }
+        _ => AnyFresnel::Conductor(Conductor::new(eta, k)),
     };
     let masking = Masking::from_params(params);
     match (
@@ -143,7 +142,15 @@ fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> B
     ) {
         // Loops over a table hardly vectorise: here the choice of Fresnel term costs nothing.
         (Some(compensation), _) => boxed(normals, masking, fresnel, compensation),
-        (None, AnyFresnel::Conductor(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
+        (None, AnyFresnel::Conductor(fresnel)) => {
+            if let Some(grey) = GreyMetal::new(eta, k) {
+                boxed(normals, masking, grey, Uncompensated)
+            } else if let Some(metal) = Metal::new(eta, k) {
+                boxed(normals, masking, metal, Uncompensated)
+            } else {
+                boxed(normals, masking, fresnel, Uncompensated)
+            }
+        }
         (None, AnyFresnel::Schlick(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
         (None, AnyFresnel::One(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
     }

@@ -3,6 +3,7 @@
 use super::Spectrum;
 use super::conductor::Conductor;
 use super::fresnel;
+use super::metal::{GreyMetal, Metal};
 use crate::bxdf::math::Real;
 use crate::bxdf::math::quadrature::gauss_legendre;
 
@@ -12,7 +13,16 @@ pub trait FacetFresnel<R: Real>: Copy + Send + Sync + 'static {
     fn at(&self, cos_d: R) -> Spectrum<R>;
 
     /// The cosine-weighted mean Fbar = 2 int F(mu) mu dmu.
-    fn mean(&self) -> Spectrum<R>;
+    fn mean(&self) -> Spectrum<R> {
+        // mu = x^2 puts the nodes where a good conductor's reflectance bends, near grazing.
+        gauss_legendre(NODES)
+            .into_iter()
+            .fold(Spectrum::black(), |sum, (node, weight)| {
+                let x = (R::one() + R::of(node)) * R::of(0.5);
+                let measure = R::of(2.0) * x * x * x * R::of(weight);
+                sum + self.at(x * x) * measure
+            })
+    }
 }
 
 /// Schlick's approximation, by the reflectance at normal incidence.
@@ -32,16 +42,21 @@ impl<R: Real> FacetFresnel<R> for Conductor<R> {
     fn at(&self, cos_d: R) -> Spectrum<R> {
         Spectrum(self.reflectance(cos_d))
     }
+}
 
-    fn mean(&self) -> Spectrum<R> {
-        // mu = x^2 puts the nodes where a good conductor's reflectance bends, near grazing.
-        gauss_legendre(NODES)
-            .into_iter()
-            .fold(Spectrum::black(), |sum, (node, weight)| {
-                let x = (R::one() + R::of(node)) * R::of(0.5);
-                let measure = R::of(2.0) * x * x * x * R::of(weight);
-                sum + self.at(x * x) * measure
-            })
+/// As exactly as the precision is.
+impl<R: Real> FacetFresnel<R> for Metal<R> {
+    #[inline(always)]
+    fn at(&self, cos_d: R) -> Spectrum<R> {
+        Spectrum(self.reflectance(cos_d))
+    }
+}
+
+/// As [`Metal`].
+impl<R: Real> FacetFresnel<R> for GreyMetal<R> {
+    #[inline(always)]
+    fn at(&self, cos_d: R) -> Spectrum<R> {
+        Spectrum::grey(self.reflectance(cos_d))
     }
 }
 
