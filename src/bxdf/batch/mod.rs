@@ -245,35 +245,34 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
         .iter()
         .map(|slice| slice.len())
         .fold(longest, usize::min);
+    let last = length - length % BLOCK;
     // What lies beyond the end of a slice: any direction and any numbers, whose results nobody reads.
     let filler = [R::of(0.5).store(); BLOCK];
     let (mut tails, mut unread) = ([filler; M], [filler; N]);
-    let mut start = 0;
-    while start < length {
-        for (tail, slice) in tails.iter_mut().zip(given) {
-            let rest = slice.get(start..).unwrap_or_default();
-            if rest.len() < BLOCK {
-                tail.iter_mut().zip(rest).for_each(|(to, from)| *to = *from);
-            }
-        }
+    for (tail, slice) in tails.iter_mut().zip(given) {
+        let rest = slice.get(last..length).unwrap_or_default();
+        tail.iter_mut().zip(rest).for_each(|(to, from)| *to = *from);
+    }
+    let from = given.map(|slice| slice.get(..last).unwrap_or_default().as_chunks().0);
+    let mut to = out
+        .each_mut()
+        .map(|slice| slice.get_mut(..last).unwrap_or_default().as_chunks_mut().0);
+    for index in 0..length.div_ceil(BLOCK) {
         let mut blocks: [&Block<R::Stored>; M] = tails.each_ref();
-        for (block, slice) in blocks.iter_mut().zip(given) {
-            if let Some(whole) = slice.get(start..).and_then(|rest| rest.first_chunk()) {
+        for (block, whole) in blocks.iter_mut().zip(from) {
+            if let Some(whole) = whole.get(index) {
                 *block = whole;
             }
         }
         let mut results: [&mut Block<R::Stored>; N] = unread.each_mut();
-        for (block, slice) in results.iter_mut().zip(&mut out) {
-            let rest = slice.get_mut(start..length).unwrap_or_default();
-            if let Some(whole) = rest.first_chunk_mut() {
+        for (block, whole) in results.iter_mut().zip(&mut to) {
+            if let Some(whole) = whole.get_mut(index) {
                 *block = whole;
             }
         }
         kernel.block(bxdf, blocks, results);
-        start += BLOCK;
     }
     // The last block, where it is not whole, was written beside the slices.
-    let last = length - length % BLOCK;
     for (slice, block) in out.iter_mut().zip(&unread) {
         let rest = slice.get_mut(last..length).unwrap_or_default();
         rest.iter_mut()

@@ -56,6 +56,13 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     #[must_use]
     fn erfc(self) -> Self;
 
+    /// The integral of erfc from `self`, 0 or more, on: good to the rounding of its sum with `self`.
+    #[must_use]
+    #[inline(always)]
+    fn ierfc(self) -> Self {
+        Self::of(0.5) * Self::FRAC_2_SQRT_PI() * (-(self * self)).exp() - self * self.erfc()
+    }
+
     /// Sine and cosine of the angle of `self` turns, 2 pi `self`.
     #[inline(always)]
     fn sin_cos_turn(self) -> (Self, Self) {
@@ -110,6 +117,17 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
         }
     }
 
+    /// [`Self::rescaling`] of a number that is not extremely large.
+    #[must_use]
+    #[inline(always)]
+    fn raising(self) -> (Self, Self) {
+        if self < Self::of(Self::SQUARABLE) {
+            (Self::of(Self::RESCALE), Self::of(1.0 / Self::RESCALE))
+        } else {
+            (Self::one(), Self::one())
+        }
+    }
+
     /// `self` where it is a number up to the largest finite one, the largest finite one otherwise.
     ///
     /// For values whose true size overflows the type. A double-double overflow yields NaN rather than infinity,
@@ -117,11 +135,7 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     #[must_use]
     #[inline(always)]
     fn saturated(self) -> Self {
-        if self <= Self::max_value() {
-            self
-        } else {
-            Self::max_value()
-        }
+        self.at_most(Self::max_value())
     }
 }
 

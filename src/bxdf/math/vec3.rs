@@ -76,6 +76,20 @@ impl<R: Real> Vec3<R> {
         }
     }
 
+    /// [`Self::unit_and_length`] of a vector of moderate length, or none: it only guards against underflow.
+    #[inline(always)]
+    pub fn unit_and_length_of_short(self) -> Option<(Self, R)> {
+        let (scale, back) = self.max_abs().raising();
+        let scaled = self * scale;
+        let square = scaled.length_squared();
+        if square > R::zero() {
+            let length = square.sqrt();
+            Some((scaled * (R::one() / length), length * back))
+        } else {
+            None
+        }
+    }
+
     /// The vector mirrored in the surface: (x, y, -z).
     #[must_use]
     #[inline(always)]

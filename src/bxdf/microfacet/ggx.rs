@@ -87,18 +87,19 @@ impl<R: Real> Normals<R> for Ggx<R> {
 
     /// A visible normal of `wo` (on the upper side), by the spherical cap of the stretched configuration.
     ///
-    /// With v = stretched wo, a point of the cap z in (-v_z, 1) plus v is the normal sought. Writing z = s - v_z with
-    /// s = (1 - u1)(1 + v_z) gives 1 - z^2 = u1 (1 + v_z)(1 - v_z + s), free of cancellation.
+    /// With v = stretched wo, of length l, a point of the cap z in (-v_z, l) of the sphere of radius l plus v is along the
+    /// normal sought. Writing z = s - v_z with s = (1 - u1)(l + v_z) gives l^2 - z^2 = u1 (l + v_z)(l - v_z + s), free of
+    /// cancellation.
     #[inline(always)]
     fn sample_visible_normal(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        let one = R::one();
-        let v = Vec3::new(self.alpha_x * wo.x, self.alpha_y * wo.y, wo.z).unit();
+        let v = Vec3::new(self.alpha_x * wo.x, self.alpha_y * wo.y, wo.z);
+        let length = v.length_squared().sqrt();
         let (sin_phi, cos_phi) = u[0].sin_cos_turn();
-        let s = (one - u[1]) * (one + v.z);
-        let sin_theta = (u[1] * (one + v.z) * (one - v.z + s)).sqrt_clamped();
-        let cap = Vec3::new(sin_theta * cos_phi + v.x, sin_theta * sin_phi + v.y, s);
-        let (wh, _) =
-            Vec3::new(self.alpha_x * cap.x, self.alpha_y * cap.y, cap.z).unit_and_length()?;
+        let s = (R::one() - u[1]) * (length + v.z);
+        let radius = (u[1] * (length + v.z) * (length - v.z + s)).sqrt_clamped();
+        let cap = Vec3::new(radius * cos_phi + v.x, radius * sin_phi + v.y, s);
+        let (wh, _) = Vec3::new(self.alpha_x * cap.x, self.alpha_y * cap.y, cap.z)
+            .unit_and_length_of_short()?;
         Some(wh)
     }
 }

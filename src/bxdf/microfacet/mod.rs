@@ -178,6 +178,6 @@ pub(crate) use evaluated_by_pair;
 /// does not. `None` where the two directions are opposed.
 #[inline(always)]
 pub fn half_vector<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> Option<(Vec3<R>, R)> {
-    let (wh, length) = (wo + wi).unit_and_length()?;
+    let (wh, length) = (wo + wi).unit_and_length_of_short()?;
     Some((wh, (length * R::of(0.5)).at_most(R::one())))
 }

@@ -106,11 +106,42 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         }
     }
 
-    /// The facet that mirrors `wo` into `wi`.
+    /// The facet at the half vector of two directions: the one that mirrors, or the one that refracts. One root and one
+    /// division serve both.
     #[inline(always)]
-    fn mirror(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
-        let (e, _) = self.index_across(wo);
-        let pair = Pair::above(wo, wi)?;
+    fn facet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
+        let (e, e_minus_1) = self.index_across(wo);
+        let is_across = are_across(wo, wi);
+        let (wo, wi) = upright(wo, wi);
+        // wo + e wi; where the index is near 1, the sum of the nearly opposed first.
+        let g = if !is_across {
+            wo + wi
+        } else if e_minus_1.abs() < R::of(0.5) {
+            (wo + wi) + wi * e_minus_1
+        } else {
+            wo + wi * e
+        };
+        let (unit, length) = g.unit_and_length()?;
+        let wh = if unit.z < R::zero() { -unit } else { unit };
+        if is_across {
+            Self::refractor(wo, wi, wh, length, e)
+        } else {
+            Self::mirror(wo, wi, wh, length, e)
+        }
+    }
+
+    /// The facet of unit normal `wh` that mirrors `wo` into `wi`, whose sum has this length.
+    #[inline(always)]
+    fn mirror(wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, length: R, e: R) -> Option<Facet<R>> {
+        if wo.z <= R::zero() || wi.z <= R::zero() {
+            return None;
+        }
+        let pair = Pair {
+            wo,
+            wi,
+            wh,
+            cos_d: (length * R::of(0.5)).at_most(R::one()),
+        };
         Some(Facet {
             share: pair.dielectric(e).reflectance,
             pair,
@@ -119,22 +150,9 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         })
     }
 
-    /// The facet that refracts `wo` into `wi`.
+    /// The facet of unit normal `wh` that refracts `wo` into `wi`, where wo + e wi has this length.
     #[inline(always)]
-    fn refractor(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
-        if !are_across(wo, wi) {
-            return None;
-        }
-        let (e, e_minus_1) = self.index_across(wo);
-        let (wo, wi) = upright(wo, wi);
-        // wo + e wi; where the index is near 1, the sum of the nearly opposed first.
-        let g = if e_minus_1.abs() < R::of(0.5) {
-            (wo + wi) + wi * e_minus_1
-        } else {
-            wo + wi * e
-        };
-        let (unit, length) = g.unit_and_length()?;
-        let wh = if unit.z < R::zero() { -unit } else { unit };
+    fn refractor(wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, length: R, e: R) -> Option<Facet<R>> {
         let (cos_o, cos_i) = (wo.dot(wh), -wi.dot(wh));
         if cos_o <= R::zero() || cos_i <= R::zero() {
             return None;
@@ -173,22 +191,13 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         self.value(&facet)
     }
 
-    /// The facet at the half vector of two directions: the one that mirrors, or the one that refracts.
-    #[inline(always)]
-    fn facet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
-        match self.mirror(wo, wi) {
-            Some(facet) => Some(facet),
-            None => self.refractor(wo, wi),
-        }
-    }
-
     /// The facet of the lobe at `index`.
     #[inline(always)]
     fn facet_of(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
-        match index {
-            0 => self.mirror(wo, wi),
-            _ => self.refractor(wo, wi),
+        if (index == 0) == are_across(wo, wi) {
+            return None;
         }
+        self.facet(wo, wi)
     }
 
     /// A direction for `wo`, on whichever side it is, drawn at a visible normal; whether it is reflected there
@@ -228,11 +237,12 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         if is_reflected(share.reflectance) {
             let wi = wh * (R::of(2.0) * cos) - wo;
             if wi.z > R::zero() { Some(wi) } else { None }
-        } else if share.transmittance <= R::zero() {
+        } else if share.cos_t <= R::zero() {
             None
         } else {
             // Through an index below 1 the tangent is stretched, and the rounding of wo with it.
-            let (wi, _) = (-(tangent * (R::one() / e)) - wh * share.cos_t).unit_and_length()?;
+            let through = -(tangent * (R::one() / e)) - wh * share.cos_t;
+            let (wi, _) = through.unit_and_length_of_short()?;
             if wi.z < R::zero() { Some(wi) } else { None }
         }
     }

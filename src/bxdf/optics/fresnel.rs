@@ -51,11 +51,11 @@ pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
     let g = g_squared.sqrt_clamped();
     let c_plus_g = c + g;
     let r_s = d / (c_plus_g * c_plus_g);
+    let n_squared = n * n;
+    let p_denominator = n_squared * c + g;
     let ratio_p_to_s = (c * c_plus_g - one) / (c * d / c_plus_g + one);
     let reflectance = R::of(0.5) * r_s * r_s * (one + ratio_p_to_s * ratio_p_to_s);
     let four_c_g = R::of(4.0) * c * g;
-    let n_squared = n * n;
-    let p_denominator = n_squared * c + g;
     let transmittance_s = four_c_g / (c_plus_g * c_plus_g);
     let transmittance_p = n_squared * four_c_g / (p_denominator * p_denominator);
     let transmittance = R::of(0.5) * (transmittance_s + transmittance_p);
@@ -90,7 +90,8 @@ pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
 pub fn transmittance_between<R: Real>(cos_i: R, cos_t: R, n: R) -> R {
     let (s, p) = (cos_i + n * cos_t, n * cos_i + cos_t);
     let product = R::of(2.0) * n * cos_i * cos_t;
-    (product / (s * s) + product / (p * p)).min(R::one())
+    let inverse = R::one() / (s * p);
+    (product * inverse * ((s * s + p * p) * inverse)).min(R::one())
 }
 
 /// The direction refracted at the plane z = 0: `w` points away from the surface, the result too, on the other side.
