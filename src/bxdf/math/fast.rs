@@ -253,6 +253,11 @@ impl Real for Fast<f32> {
     }
 
     #[inline(always)]
+    fn ierfc(self) -> Self {
+        Self(polynomial::ierfc(self.0))
+    }
+
+    #[inline(always)]
     fn sin_cos_turn(self) -> (Self, Self) {
         let (sin, cos) = polynomial::sin_cos_turn(self.0);
         (Self(sin), Self(cos))

@@ -19,6 +19,7 @@ fn both(name: &str, x: f32) -> (f32, Df64) {
         "ln_1p" => (ln_1p(x), Float::ln_1p(exact)),
         "atan" => (atan2(x, 1.0), Float::atan2(exact, Df64::of(1.0))),
         "erf" => (erf(x), Real::erf(exact)),
+        "ierfc" => (x + ierfc(x), exact + Real::ierfc(exact)),
         _ => (erfc(x), Real::erfc(exact)),
     }
 }
