@@ -53,7 +53,8 @@ pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
     let r_s = d / (c_plus_g * c_plus_g);
     let n_squared = n * n;
     let p_denominator = n_squared * c + g;
-    let ratio_p_to_s = (c * c_plus_g - one) / (c * d / c_plus_g + one);
+    // c^2 + c G - 1 over c d / (c + G) + 1, both without their cancellations.
+    let ratio_p_to_s = (c * g - s2) * c_plus_g / p_denominator;
     let reflectance = R::of(0.5) * r_s * r_s * (one + ratio_p_to_s * ratio_p_to_s);
     let four_c_g = R::of(4.0) * c * g;
     let transmittance_s = four_c_g / (c_plus_g * c_plus_g);
