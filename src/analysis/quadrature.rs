@@ -91,10 +91,16 @@ fn cells(
     f: &impl Fn(&[[f64; 2]]) -> Vec<[f64; 3]>,
     rectangles: &[Rectangle],
 ) -> Vec<Cell> {
-    let places = rectangles.iter().flat_map(|part| rule.places(*part));
-    let graded = places.map(|[x, y]| [graded(x), graded(y)]);
-    let (points, slopes): (Vec<_>, Vec<_>) =
-        graded.map(|[[u, du], [v, dv]]| ([u, v], du * dv)).unzip();
+    let count = rectangles.len() * EVALUATIONS;
+    let (mut points, mut slopes) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    for part in rectangles {
+        let graded = |side| rule.places(side).map(graded);
+        let columns: Vec<[f64; 2]> = graded(part.y).collect();
+        for [u, du] in graded(part.x) {
+            points.extend(columns.iter().map(|[v, _]| [u, *v]));
+            slopes.extend(columns.iter().map(|[_, dv]| du * dv));
+        }
+    }
     let mut values = f(&points);
     for (value, slope) in values.iter_mut().zip(slopes) {
         *value = value.map(|x| x * slope);

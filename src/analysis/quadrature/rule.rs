@@ -105,18 +105,14 @@ impl Rule {
         }
     }
 
-    /// The nodes on `rectangle`, [`EVALUATIONS`] of them, y running faster.
-    pub(super) fn places(&self, rectangle: Rectangle) -> impl Iterator<Item = [f64; 2]> {
-        let place = |[a, b]: [f64; 2], node: &Node| f64::midpoint(a, b) + 0.5 * (b - a) * node.x;
-        self.nodes.iter().flat_map(move |row| {
-            let x = place(rectangle.x, row);
-            let columns = self.nodes.iter();
-            columns.map(move |node| [x, place(rectangle.y, node)])
-        })
+    /// The nodes along the side `[a, b]` of a rectangle.
+    pub(super) fn places(&self, [a, b]: [f64; 2]) -> impl Iterator<Item = f64> {
+        let nodes = self.nodes.iter();
+        nodes.map(move |node| f64::midpoint(a, b) + 0.5 * (b - a) * node.x)
     }
 
-    /// Both rules and their two mixtures on `rectangle`, from the integrand's values at [`Self::places`]: the mixtures
-    /// tell which axis causes the error.
+    /// Both rules and their two mixtures on `rectangle`, from the integrand's [`EVALUATIONS`] values at the
+    /// [`Self::places`] of its sides, y running faster: the mixtures tell which axis causes the error.
     pub(super) fn cell(&self, rectangle: Rectangle, values: &[[f64; 3]]) -> Cell {
         let area = 0.25 * (rectangle.x[1] - rectangle.x[0]) * (rectangle.y[1] - rectangle.y[0]);
         let (mut value, mut coarse_x, mut coarse_y, mut coarse) =
