@@ -161,6 +161,8 @@ impl Chart {
     /// The names of the curves with samples of their lines, in rows.
     fn name_series(&self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
+            let spacing = ui.spacing_mut();
+            (spacing.item_spacing.y, spacing.interact_size.y) = (0.0, theme::LEGEND_ROW);
             for series in &self.series {
                 let font = draw::small_font(ui);
                 let painter = ui.painter();
