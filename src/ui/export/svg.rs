@@ -68,6 +68,9 @@ pub fn drawing(
     Ok(writer.text)
 }
 
+/// By how much the pieces of a curve may leave it, in points.
+const FLATNESS: f32 = 0.05;
+
 struct Writer<'a> {
     text: String,
     /// Lines of one stroke that follow one another, as one path.
@@ -126,24 +129,10 @@ impl Writer<'_> {
             Shape::Text(text) => self.galley(text),
             Shape::Mesh(mesh) => self.mesh(mesh)?,
             Shape::QuadraticBezier(curve) => {
-                let points = curve.flatten(Some(0.05));
-                let stroke = solid(&curve.stroke, &points);
-                self.element(
-                    "path",
-                    &format!("d=\"{}\"", path_of(&points)),
-                    curve.fill,
-                    stroke,
-                );
+                self.curve(&curve.flatten(Some(FLATNESS)), curve.fill, &curve.stroke);
             }
             Shape::CubicBezier(curve) => {
-                let points: Vec<Pos2> = curve.flatten(Some(0.05));
-                let stroke = solid(&curve.stroke, &points);
-                self.element(
-                    "path",
-                    &format!("d=\"{}\"", path_of(&points)),
-                    curve.fill,
-                    stroke,
-                );
+                self.curve(&curve.flatten(Some(FLATNESS)), curve.fill, &curve.stroke);
             }
             // Taken above, or painted by nothing in this program.
             Shape::Noop
@@ -153,6 +142,12 @@ impl Writer<'_> {
             | Shape::Band(_) => {}
         }
         Ok(())
+    }
+
+    /// A curve through these points.
+    fn curve(&mut self, points: &[Pos2], fill: Color32, stroke: &PathStroke) {
+        let geometry = format!("d=\"{}\"", path_of(points));
+        self.element("path", &geometry, fill, solid(stroke, points));
     }
 
     /// A line, joined to those of its stroke before it.

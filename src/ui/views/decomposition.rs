@@ -30,6 +30,9 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
 /// Width over height of the charts of several materials.
 const ASPECT: f32 = 1.5;
 
+/// Smaller charts have room for their curves only, in points.
+const ROOM_FOR_WORDS: egui::Vec2 = egui::vec2(230.0, 150.0);
+
 /// The names of the factors at the screen: D is shown over its peak, which differs by orders of magnitude.
 const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
 
@@ -98,7 +101,10 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .zip(&parts)
     {
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
-        let chart = lobes_chart(&name, decomposition, cx.session, cx.palette);
+        let mut chart = lobes_chart(&name, decomposition, cx.session, cx.palette);
+        if cell.picture.size().min(ROOM_FOR_WORDS) != ROOM_FOR_WORDS {
+            chart.leave_out_words();
+        }
         show_chart(ui, cx, (&chart, cell.picture), *entry);
     }
     ui.advance_cursor_after_rect(room);

@@ -97,9 +97,12 @@ impl Axis {
 
     pub(super) fn hints(&self, hints: AxisHints<'static>) -> AxisHints<'static> {
         let is_logarithmic = self.is_logarithmic;
-        hints
-            .label(self.name.clone())
-            .formatter(move |mark, range| tick(mark, is_logarithmic, range.end() - range.start()))
+        let hints = if self.name.is_empty() {
+            hints
+        } else {
+            hints.label(self.name.clone())
+        };
+        hints.formatter(move |mark, range| tick(mark, is_logarithmic, range.end() - range.start()))
     }
 }
 

@@ -65,6 +65,17 @@ impl Chart {
         }
     }
 
+    /// Leaves out the names of axes, marks and curves, where there is no room for them: the pointer reads them out.
+    pub fn leave_out_words(&mut self) {
+        self.has_names = false;
+        for name in [&mut self.x.name, &mut self.y.name] {
+            name.clear();
+        }
+        for mark in self.marks.iter_mut().chain(&mut self.levels) {
+            mark.name.clear();
+        }
+    }
+
     /// Draws it into the room left, or into this height, the names of the curves above.
     pub fn show(&self, ui: &mut Ui, height: Option<f32>, palette: &Palette) -> Shown {
         let top = ui.cursor().top();
@@ -188,6 +199,9 @@ impl Chart {
         let painter = ui.painter_at(frame);
         let mut taken: Vec<Rect> = Vec::new();
         let mut name = |mark: &Mark, place: Pos2, anchor: Align2| {
+            if mark.name.is_empty() {
+                return;
+            }
             let font = draw::small_font(ui);
             let galley = painter.layout_no_wrap(mark.name.clone(), font.clone(), mark.color);
             let rect = anchor.anchor_size(place, galley.size());
