@@ -80,7 +80,7 @@ fn the_curve_of_a_drawing_is_that_of_the_data() {
 fn text_stays_text_and_pictures_are_inside() {
     let drawing = text(view(session(&["gold"]), "reflectance"), Format::Svg);
     assert!(
-        drawing.contains(">ρ, share of the flux that leaves</text>"),
+        drawing.contains(">ρ, share that leaves</text>"),
         "{drawing}"
     );
     let map = text(view(session(&["gold"]), "hemisphere"), Format::Svg);

@@ -20,9 +20,28 @@ pub use estimator::Estimator;
 pub use histogram::{Cell, Histogram, WeightBin, WeightHistogram};
 pub use warp::{Warp, WarpRequest};
 
+/// What of a study is wanted: the rest is left empty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    All,
+    /// The samples alone.
+    Points,
+    /// The samples and how they are distributed.
+    Histogram,
+    /// The samples and what they weigh.
+    Weights,
+    /// The density against f |cos(theta)|.
+    Densities,
+    /// The estimates.
+    Estimators,
+}
+
 /// What a study takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
+    /// What of it is wanted.
+    pub part: Part,
     /// How many samples are drawn.
     pub count: usize,
     /// The seed of the random numbers: the same seed gives the same samples.
@@ -95,16 +114,22 @@ impl Question for Request {
             Detail::Full => self.count,
         };
         let Draws { points, lost } = drawn(&lobe, count, self.seed, is_wanted)?;
-        let histogram = Histogram::new(&lobe, &points, lost, self.seed, is_wanted)?;
-        let densities = densities(&lobe, self.phi);
-        is_wanted().then(|| Study {
-            weights: WeightHistogram::new(&points, lost),
-            estimators: estimator::all(&lobe, &points, count, self.seed),
-            densities,
-            histogram,
-            lost,
-            points,
-        })
+        let wants = |part: Part| self.part == Part::All || self.part == part;
+        let mut study = Study::default();
+        if wants(Part::Histogram) {
+            study.histogram = Histogram::new(&lobe, &points, lost, self.seed, is_wanted)?;
+        }
+        if wants(Part::Densities) {
+            study.densities = densities(&lobe, self.phi);
+        }
+        if wants(Part::Weights) {
+            study.weights = WeightHistogram::new(&points, lost);
+        }
+        if wants(Part::Estimators) {
+            study.estimators = estimator::all(&lobe, &points, count, self.seed);
+        }
+        (study.lost, study.points) = (lost, points);
+        is_wanted().then_some(study)
     }
 }
 

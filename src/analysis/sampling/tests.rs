@@ -13,6 +13,7 @@ fn study_of(material: &Material, theta_deg: f64, count: usize, seed: u64) -> Stu
     let held = direction_from_degrees(theta_deg, 20.0);
     let subject = Subject::of(HeldLobe::new(&*model, Hold::Light, held));
     let request = Request {
+        part: Part::All,
         count,
         seed,
         phi: 20.0_f64.to_radians(),
@@ -214,6 +215,7 @@ fn the_coarse_study_begins_as_the_full_one() {
     let model = "phong".parse::<Material>().unwrap().build();
     let subject = Subject::of(HeldLobe::new(&*model, Hold::Viewer, DVec3::Z));
     let request = Request {
+        part: Part::All,
         count: 4096,
         seed: 9,
         phi: 0.0,
@@ -224,4 +226,39 @@ fn the_coarse_study_begins_as_the_full_one() {
     assert_eq!(coarse.points.len() + coarse.lost, 256);
     assert_eq!(coarse.points[..], full.points[..n]);
     assert!(request.answer(&subject, Detail::Full, &|| false).is_none());
+}
+
+#[test]
+fn what_is_not_wanted_is_left_empty() {
+    let surface = "plastic".parse::<Material>().unwrap().build();
+    let held = direction_from_degrees(40.0, 0.0);
+    let subject = Subject::of(HeldLobe::new(&*surface, Hold::Viewer, held));
+    let study = |part| {
+        let request = Request {
+            part,
+            count: 256,
+            seed: 3,
+            phi: 0.0,
+        };
+        request.answer(&subject, Detail::Full, &|| true).unwrap()
+    };
+    let all = study(Part::All);
+    for part in [
+        Part::Points,
+        Part::Histogram,
+        Part::Weights,
+        Part::Densities,
+        Part::Estimators,
+    ] {
+        let one = study(part);
+        assert_eq!(one.points, all.points, "{part:?}");
+        let is_wanted = |of: Part| of == part;
+        assert_eq!(one.histogram == all.histogram, is_wanted(Part::Histogram));
+        assert_eq!(one.weights == all.weights, is_wanted(Part::Weights));
+        assert_eq!(one.densities == all.densities, is_wanted(Part::Densities));
+        assert_eq!(
+            one.estimators == all.estimators,
+            is_wanted(Part::Estimators)
+        );
+    }
 }

@@ -1,6 +1,6 @@
 //! What the views ask about each material, as the session has it.
 
-use super::{DECADES, Session};
+use super::{DECADES, SamplingPlot, Session};
 use crate::analysis::reflectance::{CurveRequest, SharesRequest};
 use crate::analysis::{
     RadialScale, cartesian, decomposition, hemisphere, lobe3d, polar, sampling, slice, sphere,
@@ -126,6 +126,13 @@ impl Session {
         let options = self.views.sampling;
         let (least, most) = (*SAMPLE_COUNTS_LOG2.start(), *SAMPLE_COUNTS_LOG2.end());
         sampling::Request {
+            part: match options.plot {
+                SamplingPlot::Points | SamplingPlot::Warp => sampling::Part::Points,
+                SamplingPlot::Histogram => sampling::Part::Histogram,
+                SamplingPlot::Weights => sampling::Part::Weights,
+                SamplingPlot::Curves => sampling::Part::Densities,
+                SamplingPlot::Estimators => sampling::Part::Estimators,
+            },
             count: 1 << options.count_log2.clamp(least, most),
             seed: u64::from(options.seed),
             phi: self.section_phi(),

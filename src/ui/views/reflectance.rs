@@ -145,9 +145,9 @@ fn chart(cx: &mut ViewContext<'_>) -> (Chart, String) {
     let least = values().fold(0.0, f64::min);
     let highest = values().fold(1.0, f64::max);
     let y_name = if is_furnace {
-        "1 - ρ, missing share of the flux"
+        "1 - ρ, share missing"
     } else {
-        "ρ, share of the flux that leaves"
+        "ρ, share that leaves"
     };
     let x = Axis::degrees("θ of the light (degrees)", [0.0, 90.0]);
     let y = Axis::of_values(y_name, [least, highest], None);

@@ -28,8 +28,9 @@ const LABELS: f32 = 14.0;
 /// Cells of the grid of random numbers, along either side.
 const WARP_CELLS: usize = 16;
 
-/// The most samples drawn as dots: more are a blot.
+/// The most samples drawn as dots, and the most for each square point of the picture: more are a blot.
 const MOST_DOTS: usize = 4096;
+const DOTS_PER_AREA: f32 = 0.12;
 
 /// Pixels along either side of a histogram.
 const HISTOGRAM_SIZE: usize = 192;
@@ -143,7 +144,8 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry:
     let painter = ui.painter();
     let radius = (disc.rect.width() / 260.0).clamp(0.7, 1.8);
     let continuous = study.points.iter().filter(|point| !point.is_delta);
-    for point in continuous.take(MOST_DOTS) {
+    let most = (DOTS_PER_AREA * disc.rect.area()) as usize;
+    for point in continuous.take(most.min(MOST_DOTS)) {
         let at = disc.position(point.direction);
         if point.direction.z > 0.0 {
             painter.circle_filled(at, radius, color);

@@ -1,7 +1,8 @@
 //! Pictures of rasters, one for each material, side by side; values as colours, with the scale beside them.
 
 use egui::{
-    Align2, ColorImage, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align2, ColorImage, FontSelection, Pos2, Rect, Response, RichText, Role, Sense, TextWrapMode,
+    Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
 };
 
 use super::draw;
@@ -142,8 +143,12 @@ pub fn title(
     } else {
         palette.faint_ink
     };
-    let place = swatch.right_center() + vec2(5.0, 0.0);
-    painter.text(place, Align2::LEFT_CENTER, &name, draw::small_font(ui), ink);
+    let width = cell.title.right() - swatch.right() - GAP;
+    let text = WidgetText::from(RichText::new(&name).small());
+    let wrap = Some(TextWrapMode::Truncate);
+    let galley = text.into_galley(ui, wrap, width, FontSelection::Default);
+    let place = swatch.right_center() + vec2(5.0, -0.5 * galley.size().y);
+    painter.galley_with_override_text_color(place, galley, ink);
     if response.on_hover_text(&name).clicked() {
         session.materials.select(entry);
     }
