@@ -293,3 +293,41 @@ fn the_theme_is_the_systems_until_one_is_chosen_and_then_kept() {
         assert_eq!(preference(&other), chosen);
     }
 }
+
+/// Chooses a kind of file in the menu of the polar plot, answers the dialog, and waits until it is written.
+fn export(harness: &mut Harness<'_, App>, script: &Rc<RefCell<Script>>, kind: &str, path: &Path) {
+    script.borrow_mut().answers.push(Some(path.to_owned()));
+    for label in ["Export Polar plot", kind] {
+        harness.get_by_label(label).click();
+        harness.run_steps(4);
+    }
+    while harness.state().is_exporting() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+        harness.step();
+    }
+    harness.run();
+}
+
+#[test]
+fn a_view_is_exported_from_its_menu() {
+    let folder = Folder::new("export-menu");
+    let mut harness = window_of(&["gold", "phong"]);
+    let script = work_in(&mut harness, &folder);
+    let path = folder.file("section.csv");
+    export(&mut harness, &script, "Numbers (CSV)", &path);
+    assert_eq!(
+        script.borrow().asked,
+        [Question::Export("polar.csv".to_owned())]
+    );
+    let table = fs::read_to_string(&path).unwrap();
+    assert!(table.starts_with("material,angle (degrees)") && table.contains("\nPhong,"));
+    // A place that cannot be written is told of, and nothing is lost.
+    export(
+        &mut harness,
+        &script,
+        "Drawing (SVG)",
+        &folder.file("none/section.svg"),
+    );
+    assert!(harness.query_by_label_contains("No such file").is_some());
+    assert_eq!(titles(&harness), ["Gold", "Phong"]);
+}
