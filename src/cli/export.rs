@@ -1,9 +1,8 @@
 //! `export`: what the window would save, without one.
 
-use std::io::Write as _;
 use std::path::Path;
 
-use super::output::Output;
+use super::output;
 use super::render::{self, RenderArgs};
 use crate::error::{Error, Result};
 use crate::ui::export::{self, FORMATS};
@@ -22,12 +21,7 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
     let mut picture = render::picture(request)?;
     // A file shows one view: the first one where none is named.
     picture.only = picture.only.or_else(|| views::VIEWS.first());
-    let bytes = export::bytes(picture, format)?;
-    let mut output = Output::open(&request.output)?;
-    output
-        .write_all(&bytes)
-        .map_err(|error| Error::io(&request.output, error))?;
-    output.finish()
+    output::write(&request.output, &export::bytes(picture, format)?)
 }
 
 fn unknown(path: &Path) -> Error {

@@ -16,6 +16,19 @@ const STANDARD_OUTPUT_DEVICE: &str = "/dev/stdout";
 /// How many bytes of rows are gathered before they are written.
 const BUFFER_BYTES: usize = 1 << 16;
 
+/// Writes a whole file, which appears only when it is complete.
+///
+/// # Errors
+/// [`Error::Io`].
+#[cfg(feature = "gui")]
+pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    let mut output = Output::open(path)?;
+    output
+        .write_all(bytes)
+        .map_err(|error| Error::io(path, error))?;
+    output.finish()
+}
+
 /// A stream of results. A file is written beside its place and moved there by [`Output::finish`]; dropped before, it
 /// leaves nothing behind.
 pub(super) struct Output {

@@ -49,7 +49,7 @@ pub struct Arguments {
     /// The theme: dark or light
     #[arg(long, value_parser = theme)]
     theme: Option<Theme>,
-    /// The file to write
+    /// The file to write: a .png of `render`; of `export` the end of its name says what: png, svg, csv, obj, gltf, toml
     #[arg(short, value_name = "FILE")]
     output: PathBuf,
 }
@@ -139,17 +139,8 @@ impl Arguments {
 /// Where the session cannot be read, the view is unknown, no adapter is found, or the picture cannot be written.
 #[cfg(feature = "gui")]
 pub(super) fn run(request: &RenderArgs) -> Result<()> {
-    use std::io::Write as _;
-
-    use super::output::Output;
-
     require_png(&request.output)?;
-    let bytes = picture(request)?.png()?;
-    let mut output = Output::open(&request.output)?;
-    output
-        .write_all(&bytes)
-        .map_err(|error| Error::io(&request.output, error))?;
-    output.finish()
+    super::output::write(&request.output, &picture(request)?.png()?)
 }
 
 /// The picture that is asked for, before it is drawn.

@@ -47,8 +47,10 @@ impl App {
             Format::Obj | Format::Gltf => "lobes".to_owned(),
             Format::Png | Format::Svg | Format::Csv => view.as_str().to_owned(),
         };
-        files.ask(Question::Export(format!("{name}.{extension}")));
-        self.exports.asked = Some((view, format));
+        // A dialog that is open already keeps what it was opened for.
+        if files.ask(Question::Export(format!("{name}.{extension}"))) {
+            self.exports.asked = Some((view, format));
+        }
     }
 
     /// Begins to make the file that was asked for.

@@ -26,9 +26,13 @@ pub struct Files {
 }
 
 impl Files {
-    /// Asks for a file.
-    pub(super) fn ask(&mut self, question: Question) {
-        self.dialogs.ask(question);
+    /// Asks for a file, unless something is being asked for. Returns whether it does.
+    pub(super) fn ask(&mut self, question: Question) -> bool {
+        let can_ask = !self.dialogs.is_open();
+        if can_ask {
+            self.dialogs.ask(question);
+        }
+        can_ask
     }
 }
 
