@@ -18,7 +18,7 @@ pub mod spec;
 
 pub use material::{Component, Material};
 pub use spec::{
-    Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side,
+    Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side, StandIn,
 };
 
 use batch::{Job, Path};

@@ -6,7 +6,7 @@ use xprec::Df64;
 
 use super::Bxdf;
 use super::math::{Fast, Real, Vec3};
-use super::param::{ParamSet, ParamSpec};
+use super::param::{ParamSet, ParamSpec, Value};
 use super::single::Single;
 use crate::error::Result;
 
@@ -208,6 +208,17 @@ impl Properties {
     };
 }
 
+/// What may stand in for a model, or for one of its terms: cheaper, and not quite the same.
+pub struct StandIn {
+    /// What replaces what, at the screen: `Schlick for exact Fresnel`.
+    pub name: &'static str,
+    /// What is lost, one sentence without a full stop.
+    pub lost: &'static str,
+    /// The stand-in of the model at these parameters, as the text form of a component; `None` where it changes nothing
+    /// there. [`ParamSet::replaced`] writes it for a term, [`ModelSpec::text_at`] for the whole model.
+    pub replace: fn(&ParamSet) -> Option<String>,
+}
+
 /// The constructors of a model, one per precision: the same generic function three times.
 #[derive(Clone, Copy)]
 pub struct Builders {
@@ -269,6 +280,8 @@ pub struct ModelSpec {
     pub validate: fn(&ParamSet) -> Result<()>,
     /// Its constructors.
     pub builders: Builders,
+    /// What may replace it, or a term of it.
+    pub stand_ins: &'static [StandIn],
 }
 
 impl ModelSpec {
@@ -284,6 +297,13 @@ impl ModelSpec {
     #[must_use]
     pub fn defaults(&self) -> ParamSet {
         ParamSet::defaults(self.id, self.parameters)
+    }
+
+    /// The model as the text form of a component, with these values and otherwise its defaults. `None` where it has no
+    /// such parameter, or a range that does not include the value.
+    #[must_use]
+    pub fn text_at(&self, values: &[(&str, Value)]) -> Option<String> {
+        Some(self.defaults().with(values)?.component())
     }
 
     /// The model at `params`, in precision `R`.

@@ -225,5 +225,6 @@ pub fn faulty<const FAULT: usize>(properties: Properties) -> ModelSpec {
             f64: build::<f64, FAULT>,
             reference: build::<xprec::Df64, FAULT>,
         },
+        stand_ins: &[],
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::bxdf::param::{ParamSet, Value};
-use crate::bxdf::spec::{ModelSpec, Precision};
+use crate::bxdf::spec::{ModelSpec, Precision, StandIn};
 use crate::bxdf::{Bxdf, models};
 use crate::error::{Error, Result};
 
@@ -114,6 +114,21 @@ impl Component {
     pub fn relative_index(&self) -> f64 {
         (self.model.properties.relative_index)(&self.params)
     }
+
+    /// What may stand in for it at its parameters, each with the component that does, of the same weight.
+    pub fn stand_ins(&self) -> impl Iterator<Item = (&'static StandIn, Self)> {
+        self.model.stand_ins.iter().filter_map(|stand_in| {
+            let text = (stand_in.replace)(&self.params)?;
+            let replacement: Self = text.parse().ok()?;
+            Some((
+                stand_in,
+                Self {
+                    weight: self.weight,
+                    ..replacement
+                },
+            ))
+        })
+    }
 }
 
 impl PartialEq for Component {
@@ -130,9 +145,7 @@ impl fmt::Debug for Component {
 
 impl fmt::Display for Component {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let params = self.params.to_string();
-        let colon = if params.is_empty() { "" } else { ":" };
-        write!(f, "{}{colon}{params}", self.model.id)
+        f.write_str(&self.params.component())
     }
 }
 

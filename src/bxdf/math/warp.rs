@@ -55,6 +55,35 @@ pub fn mixed_hemisphere_pdf<R: Real>(cosine_share: R, mu: R) -> R {
     (cosine_share * mu + (R::one() - cosine_share) * R::of(0.5)) * R::FRAC_1_PI()
 }
 
+/// Uniform points of the unit square to the directions about `w`, a unit vector above the surface, that the phase function of
+/// Henyey & Greenstein 1941 (`henyey1941`) gives them: about `w` itself where its mean cosine `g` is positive, about the
+/// opposite of it where that is negative. u\[0\] is the angle, u\[1\] the azimuth over 2 pi.
+///
+/// Their inversion, with 1 - cos and 1 + cos written as products, so that neither cancels.
+#[inline(always)]
+pub fn henyey_greenstein<R: Real>(w: Vec3<R>, g: R, u: [R; 2]) -> Vec3<R> {
+    let (one, two, x) = (R::one(), R::of(2.0), g.abs());
+    let (above, below) = (two * u[0], two * (one - u[0]));
+    let q = one - x + two * x * u[0];
+    let scale = one / (two * q * q);
+    let one_minus_cos = (one - x).sqr() * below * (two + x * above) * scale;
+    let one_plus_cos = (one + x).sqr() * above * (two - x * below) * scale;
+    let sin = (one_minus_cos * one_plus_cos).sqrt_clamped();
+    let cos = if one_minus_cos < one_plus_cos {
+        one - one_minus_cos
+    } else {
+        one_plus_cos - one
+    };
+    let along = if g > R::zero() { cos } else { -cos };
+    let (sin_phi, cos_phi) = u[1].sin_cos_turn();
+    // A basis about w without a root (`duff2017`), for z above 0.
+    let a = -one / (one + w.z);
+    let b = w.x * w.y * a;
+    let side = Vec3::new(one + w.x * w.x * a, b, -w.x);
+    let other = Vec3::new(b, one + w.y * w.y * a, -w.y);
+    w * along + side * (sin * cos_phi) + other * (sin * sin_phi)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

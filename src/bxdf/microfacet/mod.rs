@@ -13,7 +13,8 @@ pub use distribution::{Distribution, Normals};
 use crate::bxdf::both_above;
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::optics::fresnel::{self, Dielectric};
-use crate::bxdf::param::{ParamSet, ParamSpec, Scale};
+use crate::bxdf::param::{ParamSet, ParamSpec, Scale, Value};
+use crate::bxdf::spec::StandIn;
 
 /// How masking (towards the viewer) and shadowing (towards the light) go together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +33,14 @@ impl Masking {
         "How shadowing and masking combine: a low facet is hidden from both sides at once (correlated), or the two are \
          taken as independent (separable, darker at grazing angles)",
     );
+
+    /// What may replace [`Self::Correlated`] where `masking` chooses it.
+    pub const STAND_IN: StandIn = StandIn {
+        name: "Separable for correlated masking",
+        lost: "A low facet counts as hidden from both sides twice: the lobe is too dark at grazing angles, the more the \
+               rougher",
+        replace: |params| params.replaced(&[("masking", Value::Choice("separable"))]),
+    };
 
     /// The choice in `params`.
     #[must_use]
@@ -99,6 +108,16 @@ pub const ALPHA_Y: ParamSpec = alpha(
     0.3,
     "Width of the distribution of microfacet normals along t",
 );
+
+/// What may replace two different widths, `alpha_x` and `alpha_y`: one that leaves the peak as high.
+pub const ONE_WIDTH: StandIn = StandIn {
+    name: "One width for two",
+    lost: "The lobe no longer turns with the surface: a blade becomes a round lobe with a peak as high",
+    replace: |params| {
+        let width = (params.number("alpha_x") * params.number("alpha_y")).sqrt();
+        params.replaced(&["alpha_x", "alpha_y"].map(|name| (name, Value::Number(width))))
+    },
+};
 
 /// A width parameter of hard range 1e-4..1 with the given default.
 #[must_use]

@@ -63,6 +63,38 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[
+        StandIn {
+            name: "One exponent for two",
+            lost: "The highlight no longer turns with the surface: a blade becomes a round highlight with a peak as high",
+            replace: |params| {
+                let (x, y) = (params.number("exponent_x"), params.number("exponent_y"));
+                // sqrt((x + 1)(y + 1)) is the height of the peak.
+                let both = Value::Number(if x == y {
+                    x
+                } else {
+                    (x * y + x + y + 1.0).sqrt() - 1.0
+                });
+                params.replaced(&[("exponent_x", both), ("exponent_y", both)])
+            },
+        },
+        StandIn {
+            name: "Blinn-Phong for both lobes",
+            lost: "The highlight does not grow towards the horizon, nor does the diffuse colour give way to it there; where \
+                   the exponents differ, it is round",
+            replace: |params| {
+                let (x, y) = (params.number("exponent_x"), params.number("exponent_y"));
+                let specular = params.rgb("specular");
+                let [r, g, b] = params.rgb("diffuse");
+                let [r_left, g_left, b_left] = specular.map(|specular| 1.0 - specular);
+                blinn_phong::SPEC.text_at(&[
+                    ("diffuse", Value::Rgb([r * r_left, g * g_left, b * b_left])),
+                    ("specular", Value::Rgb(specular)),
+                    ("exponent", Value::Number((x * y).sqrt())),
+                ])
+            },
+        },
+    ],
 };
 
 struct AshikhminShirley<R> {

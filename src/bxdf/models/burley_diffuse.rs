@@ -50,6 +50,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[LAMBERT],
 };
 
 struct BurleyDiffuse<R> {

@@ -50,6 +50,21 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[StandIn {
+        name: "Smith masking and Schlick for grooves and exact Fresnel",
+        lost: "Grooves no longer cut the highlight off with a crease, and the reflectance rises towards the horizon by a \
+               power of the cosine",
+        replace: |params| {
+            let m = Value::Number(params.number("m"));
+            rough_conductor::SPEC.text_at(&[
+                ("fresnel", Value::Choice("schlick")),
+                ("f0", Value::Rgb(params.rgb("f0"))),
+                ("alpha_x", m),
+                ("alpha_y", m),
+                ("distribution", Value::Choice("beckmann")),
+            ])
+        },
+    }],
 };
 
 struct CookTorrance<R> {

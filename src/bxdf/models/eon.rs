@@ -44,7 +44,39 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[
+        StandIn {
+            name: "Oren-Nayar for the energy-preserving form",
+            lost: "Light that bounces among the facets is left out: the surface is darker and its colours are paler, the more the \
+                   rougher",
+            replace: |params| {
+                let sigma = sigma_of(params.number("roughness"));
+                oren_nayar::SPEC.text_at(&[
+                    ("reflectance", Value::Rgb(params.rgb("reflectance"))),
+                    ("sigma", Value::Number(sigma)),
+                ])
+            },
+        },
+        LAMBERT,
+    ],
 };
+
+/// The spread of slope angles, in degrees, at which the terms of `oren_nayar` are in the ratio of this roughness; 90 where
+/// none are.
+///
+/// With x the square of the angle in radians the terms are A = 1 - .5 x / (x + .33) and B = .45 x / (x + .09): B = r A is a
+/// quadratic equation in x.
+fn sigma_of(roughness: f64) -> f64 {
+    let (square, linear, constant) = (
+        0.45 - 0.5 * roughness,
+        0.1485 - 0.375 * roughness,
+        0.0297 * roughness,
+    );
+    let x = 2.0 * constant / (linear + (linear * linear + 4.0 * square * constant).sqrt());
+    // Beyond the largest ratio of all the root is negative, infinite or none.
+    let sigma = x.sqrt().to_degrees();
+    if sigma <= 90.0 { sigma } else { 90.0 }
+}
 
 struct Eon<R> {
     reflectance: Spectrum<R>,
@@ -132,7 +164,7 @@ impl<R: Real> Bxdf<R> for Eon<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::loss;
+    use super::{loss, sigma_of};
     use crate::bxdf::Material;
     use crate::bxdf::math::Vec3;
     use crate::bxdf::math::frame::direction_from_degrees;
@@ -153,6 +185,22 @@ mod tests {
         }
         // It grows as mu near the horizon: the derivative of -G there is 1 + 1 - 1.
         assert!((at(1e-9) / 1e-9 - 1.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn the_stand_in_has_its_terms_in_the_ratio_of_the_roughness() {
+        let ratio = |sigma: f64| {
+            let x = sigma.to_radians().powi(2);
+            0.45 * x / (x + 0.09) / (1.0 - 0.5 * x / (x + 0.33))
+        };
+        for roughness in [1e-3, 0.1, 0.395, 0.397, 0.5, 0.77] {
+            let found = ratio(sigma_of(roughness));
+            assert!((found / roughness - 1.0).abs() < 1e-12, "{roughness}");
+        }
+        assert_eq!(sigma_of(0.0), 0.0);
+        for roughness in [0.78, 0.9, 0.99, 1.0] {
+            assert_eq!(sigma_of(roughness), 90.0, "at most {}", ratio(90.0));
+        }
     }
 
     /// rho_dh by the midpoint rule in theta and phi.

@@ -87,6 +87,18 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[
+        StandIn {
+            name: "Without opposition surge",
+            lost: "The surge of brightness with the light behind the viewer",
+            replace: |params| params.replaced(&[("opposition_strength", Value::Number(0.0))]),
+        },
+        StandIn {
+            name: "Isotropic grains",
+            lost: "The preference of a grain for back or forward: the first scattering goes everywhere alike",
+            replace: |params| params.replaced(&[("asymmetry", Value::Number(0.0))]),
+        },
+    ],
 };
 
 /// What becomes of its one lobe when light is counted by how often it is scattered.
@@ -196,34 +208,9 @@ impl<R: Real> Hapke<R> {
     }
 
     /// A direction by the phase function about `wo`, which is above the surface: back along it or onwards.
-    ///
-    /// Henyey & Greenstein's inversion, with 1 - cos and 1 + cos written as products, so that neither cancels.
     #[inline(always)]
     fn sample_phase(&self, wo: Vec3<R>, u: [R; 2]) -> Vec3<R> {
-        let (one, two, x) = (R::one(), R::of(2.0), self.asymmetry.abs());
-        let (above, below) = (two * u[0], two * (one - u[0]));
-        let q = one - x + two * x * u[0];
-        let scale = one / (two * q * q);
-        let one_minus_cos = (one - x).sqr() * below * (two + x * above) * scale;
-        let one_plus_cos = (one + x).sqr() * above * (two - x * below) * scale;
-        let sin = (one_minus_cos * one_plus_cos).sqrt_clamped();
-        let cos = if one_minus_cos < one_plus_cos {
-            one - one_minus_cos
-        } else {
-            one_plus_cos - one
-        };
-        let along = if self.asymmetry < R::zero() {
-            cos
-        } else {
-            -cos
-        };
-        let (sin_phi, cos_phi) = u[1].sin_cos_turn();
-        // A basis about wo without a root (`duff2017`), for z above 0.
-        let a = -one / (one + wo.z);
-        let b = wo.x * wo.y * a;
-        let side = Vec3::new(one + wo.x * wo.x * a, b, -wo.x);
-        let other = Vec3::new(b, one + wo.y * wo.y * a, -wo.y);
-        wo * along + side * (sin * cos_phi) + other * (sin * sin_phi)
+        warp::henyey_greenstein(wo, -self.asymmetry, u)
     }
 }
 

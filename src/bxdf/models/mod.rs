@@ -24,8 +24,10 @@ mod velvet;
 mod ward;
 
 use super::math::{Real, Vec3};
-use super::param::ParamSpec;
-use super::spec::{Builders, Category, Declaration, Law, Lobe, ModelSpec, Properties, Side};
+use super::param::{ParamSpec, Value};
+use super::spec::{
+    Builders, Category, Declaration, Law, Lobe, ModelSpec, Properties, Side, StandIn,
+};
 use super::{Bxdf, Sample};
 use crate::error::{Error, Result};
 
@@ -75,6 +77,16 @@ const REFLECTANCE: ParamSpec = ParamSpec::rgb(
     [0.8; 3],
     "Share of the light that is reflected, per channel; black absorbs all",
 );
+
+/// What may replace a rough diffuse surface of [`REFLECTANCE`].
+const LAMBERT: StandIn = StandIn {
+    name: "Lambert for the rough diffuse lobe",
+    lost: "The lobe is round: no brightening back towards the light, no change towards the horizon",
+    replace: |params| {
+        let reflectance = Value::Rgb(params.rgb("reflectance"));
+        lambertian_reflection::SPEC.text_at(&[("reflectance", reflectance)])
+    },
+};
 
 /// The relative index of refraction of a dielectric below the surface.
 const DIELECTRIC_ETA: ParamSpec = ParamSpec::number(

@@ -51,6 +51,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[LAMBERT],
 };
 
 struct OrenNayar<R> {

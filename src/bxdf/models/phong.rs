@@ -53,6 +53,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    // A power of a cosine without a Fresnel factor: no model here has a cheaper highlight.
+    stand_ins: &[],
 };
 
 struct Phong<R> {

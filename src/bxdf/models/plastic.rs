@@ -19,7 +19,7 @@
 use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{Distribution, Masking, Normals, Pair, evaluated_by_pair};
+use crate::bxdf::microfacet::{Distribution, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
 use crate::bxdf::optics::diffuse_fresnel::diffuse_transmittance;
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::{ParamSet, Scale};
@@ -78,6 +78,16 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[
+        ROUGH_SEPARABLE,
+        ONE_WIDTH,
+        StandIn {
+            name: "Bounces that do not saturate",
+            lost: "Light that bounces below the coat meets the colour only once: the ground is paler, and darker where it is \
+                   dark",
+            replace: |params| params.replaced(&[("nonlinear", Value::Bool(false))]),
+        },
+    ],
 };
 
 const fn coat_alpha(name: &'static str, meaning: &'static str) -> ParamSpec {
@@ -101,6 +111,17 @@ fn validate(params: &ParamSet) -> Result<()> {
         None => Ok(()),
     }
 }
+
+/// [`Masking::STAND_IN`] where there is a rough coat to be masked.
+const ROUGH_SEPARABLE: StandIn = StandIn {
+    replace: |params| {
+        let is_rough = params.number("alpha_x") > 0.0;
+        is_rough
+            .then(|| (Masking::STAND_IN.replace)(params))
+            .flatten()
+    },
+    ..Masking::STAND_IN
+};
 
 struct Plastic<R, N> {
     eta: R,

@@ -114,6 +114,33 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[
+        StandIn {
+            name: "Without sheen",
+            lost: "The glow of cloth at grazing angles",
+            replace: |params| params.replaced(&[("sheen", Value::Number(0.0))]),
+        },
+        StandIn {
+            name: "Without clearcoat",
+            lost: "The second highlight, of the lacquer, and its brightening towards the horizon",
+            replace: |params| params.replaced(&[("clearcoat", Value::Number(0.0))]),
+        },
+        StandIn {
+            name: "Without subsurface",
+            lost: "The flatter body of a material that light travels through",
+            replace: |params| params.replaced(&[("subsurface", Value::Number(0.0))]),
+        },
+        StandIn {
+            name: "Without specular tint",
+            lost: "The hue of the body in the highlight of a dielectric",
+            replace: |params| params.replaced(&[("specular_tint", Value::Number(0.0))]),
+        },
+        StandIn {
+            name: "Without anisotropy",
+            lost: "The highlight drawn out along s: it no longer turns with the surface",
+            replace: |params| params.replaced(&[("anisotropic", Value::Number(0.0))]),
+        },
+    ],
 };
 
 /// 2 int (1 - mu)^5 mu dmu: the mean of the Schlick weight, and the least that a lobe weighed by it is sampled.

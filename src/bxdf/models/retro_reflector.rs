@@ -14,7 +14,7 @@
 
 use super::*;
 use crate::bxdf::microfacet::ggx::Ggx;
-use crate::bxdf::microfacet::{Masking, Normals, Pair, alpha, evaluated_by_pair};
+use crate::bxdf::microfacet::{Masking, Normals, ONE_WIDTH, Pair, alpha, evaluated_by_pair};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::sample_reflection;
@@ -38,6 +38,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[ONE_WIDTH],
 };
 
 struct RetroReflector<R> {

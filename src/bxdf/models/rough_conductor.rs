@@ -26,7 +26,7 @@ use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
 use crate::bxdf::microfacet::{
-    ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, Pair, evaluated_by_pair,
+    ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair,
 };
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::conductor::Conductor;
@@ -80,6 +80,33 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[
+        StandIn {
+            name: "Schlick for exact Fresnel",
+            lost: "The reflectance rises steadily towards the horizon: the dip that a metal has there is gone",
+            replace: |params| {
+                let conductor = params.choice("fresnel") == "conductor";
+                conductor.then(|| approximated(params, "schlick")).flatten()
+            },
+        },
+        Masking::STAND_IN,
+        StandIn {
+            name: "Turquin for Kulla-Conty compensation",
+            lost: "Light of several facets has no wide lobe of its own: it brightens the one lobe, and the two ways between \
+                   two directions differ",
+            replace: |params| {
+                let is_it = params.choice("compensation") == "kulla_conty";
+                let turquin = [("compensation", Value::Choice("turquin"))];
+                is_it.then(|| params.replaced(&turquin)).flatten()
+            },
+        },
+        StandIn {
+            name: "No compensation",
+            lost: "Light that meets several facets is lost: rough metals are too dark, and their colours too pale",
+            replace: |params| params.replaced(&[("compensation", Value::Choice("none"))]),
+        },
+        ONE_WIDTH,
+    ],
 };
 
 /// The laws that the compensations break.
@@ -110,6 +137,12 @@ const COMPENSATED: &[Lobe] = &[
     Lobe::reflection(Category::GlossySpecular).named("single scattering"),
     Lobe::reflection(Category::Diffuse).named("multiple scattering"),
 ];
+
+/// The metal with an approximation of its reflectance, from that at normal incidence.
+fn approximated(params: &ParamSet, fresnel: &'static str) -> Option<String> {
+    let f0 = Conductor::new(params.rgb("eta"), params.rgb("k")).reflectance(1.0);
+    params.replaced(&[("fresnel", Value::Choice(fresnel)), ("f0", Value::Rgb(f0))])
+}
 
 struct RoughConductor<R, N, F, C> {
     normals: N,

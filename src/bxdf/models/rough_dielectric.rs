@@ -20,7 +20,7 @@
 use super::*;
 use crate::bxdf::delta_only::{DeltaOnly, Unscattered};
 use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, Pair};
+use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, ONE_WIDTH, Pair};
 use crate::bxdf::optics::{Spectrum, fresnel};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, are_across};
@@ -56,6 +56,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[Masking::STAND_IN, ONE_WIDTH],
 };
 
 struct RoughDielectric<R, N> {

@@ -23,9 +23,9 @@
 use super::*;
 use crate::bxdf::glossy::gaussian_slopes::GaussianSlopes;
 use crate::bxdf::glossy::{DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, reflected, shares};
-use crate::bxdf::microfacet::{Pair, alpha};
+use crate::bxdf::microfacet::{ONE_WIDTH, Pair, alpha};
 use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::{ParamSet, Value};
+use crate::bxdf::param::ParamSet;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -90,6 +90,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
+    stand_ins: &[ONE_WIDTH],
 };
 
 const fn energy(parameters: &'static str, theta_deg: f64, note: &'static str) -> Declaration {

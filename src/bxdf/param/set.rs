@@ -85,6 +85,34 @@ impl ParamSet {
         self.set(name, value)
     }
 
+    /// The set with these values in place of its own. `None` where the model has no such parameter, or a range that does
+    /// not include the value.
+    #[must_use]
+    pub fn with(&self, values: &[(&str, Value)]) -> Option<Self> {
+        let mut changed = self.clone();
+        for (name, value) in values {
+            changed.set(name, *value).ok()?;
+        }
+        Some(changed)
+    }
+
+    /// The model at these values as the text form of a component, `id:name=value,name=value`: what differs from the
+    /// defaults.
+    #[must_use]
+    pub fn component(&self) -> String {
+        let values = self.to_string();
+        let colon = if values.is_empty() { "" } else { ":" };
+        format!("{}{colon}{values}", self.model)
+    }
+
+    /// The text form of [`Self::component`] with these values in place of its own. `None` as of [`Self::with`], and where
+    /// nothing differs.
+    #[must_use]
+    pub fn replaced(&self, values: &[(&str, Value)]) -> Option<String> {
+        let changed = self.with(values)?;
+        (changed != *self).then(|| changed.component())
+    }
+
     /// The number `name`. A name the model does not have is a mistake in the model's own code; it reads as 0.
     #[must_use]
     pub fn number(&self, name: &str) -> f64 {
@@ -210,6 +238,16 @@ mod tests {
         );
         params.set_text("reflectance", "0.25").unwrap();
         assert_eq!(params.rgb("reflectance"), [0.25; 3]);
+        let one = params.replaced(&[("fresnel", Value::Choice("one"))]);
+        assert_eq!(
+            one.as_deref(),
+            Some("test_model:reflectance=0.25,alpha_x=0.5,alpha_y=0.5")
+        );
+        assert_eq!(
+            params.replaced(&[("fresnel", Value::Choice("schlick"))]),
+            None
+        );
+        assert_eq!(params.replaced(&[("alpha_x", Value::Number(2.0))]), None);
         assert_eq!(set().to_string(), "");
     }
 
