@@ -17,6 +17,7 @@ mod output;
 #[cfg(any(feature = "gui", test))]
 pub mod render;
 mod sample;
+mod tradeoff;
 
 use std::error::Error as _;
 use std::io::{self, Write as _};
@@ -59,6 +60,8 @@ enum Verb {
     Albedo(albedo::Arguments),
     /// Check the laws a model should keep
     Check(check::Arguments),
+    /// Measure what accuracy costs, and name the cheapest that is good enough
+    Tradeoff(tradeoff::Arguments),
     /// Measure how fast the models are on this machine
     Bench(bench::Arguments),
     /// Render the window into a picture
@@ -119,6 +122,7 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
         Some(Verb::Eval(arguments)) => eval::run(&arguments)?,
         Some(Verb::Sample(arguments)) => sample::run(&arguments)?,
         Some(Verb::Albedo(arguments)) => albedo::run(&arguments)?,
+        Some(Verb::Tradeoff(arguments)) => tradeoff::run(&arguments)?,
         Some(Verb::Bench(arguments)) => bench::run(&arguments)?,
         Some(Verb::Check(arguments)) => {
             if !check::run(&arguments)? {

@@ -2,3 +2,5 @@
 
 pub mod contract;
 pub mod speed;
+pub mod timing;
+pub mod tradeoff;

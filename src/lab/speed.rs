@@ -7,6 +7,7 @@ use rand_pcg::rand_core::{Rng as _, SeedableRng as _};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::timing::Timing;
 use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::math::Real;
 use crate::bxdf::{Bxdf, Material, Precision};
@@ -166,25 +167,21 @@ pub fn measure<R: Precision + Real<Stored = R>>(
     let mut out: Vec<Vec<R>> = vec![vec![R::zero(); pairs.len()]; OUTPUTS];
     // Once to warm up: the pages of the output are touched, the clock is raised.
     run(&*bxdf, pairs, operation, mode, &mut out);
-    let mut times: Vec<f64> = (0..REPETITIONS)
+    let times = (0..REPETITIONS)
         .map(|_| {
             let start = Instant::now();
             run(&*bxdf, pairs, operation, mode, &mut out);
             start.elapsed().as_secs_f64() * 1e9 / pairs.len() as f64
         })
         .collect();
-    times.sort_by(f64::total_cmp);
-    let rank = |share: usize| {
-        let index = (REPETITIONS - 1) * share / 4;
-        times.get(index).copied().unwrap_or(f64::NAN)
-    };
+    let Timing { ns, spread } = Timing::of(times);
     Row {
         material: material.to_string(),
         precision: R::NAME,
         path: mode,
         operation,
-        ns: rank(2),
-        spread: [rank(1), rank(3)],
+        ns,
+        spread,
     }
 }
 

@@ -5,32 +5,47 @@
 //! four pixel centres. Where two opposite corners lie above the level and two below, the mean of the four says whether
 //! the centre does, and so which pair belongs together (`wyvill1986`).
 
+use rustc_hash::FxHashMap;
+
 use crate::analysis::Raster;
 
 /// Side of a cell, by its number: those from one pixel to its right neighbour first, then those to the one below.
 type Side = usize;
 
-/// The lines on which `values` passes `level`, as polylines; closed ones end where they begin.
+/// The lines on which `values` passes one of `levels`, which rise, as polylines; closed ones end where they begin.
 ///
 /// Coordinates are parts of the raster's width and height, x to the right and y down, a pixel's value standing at its
 /// centre. Cells with a corner that is no finite number have no line.
 #[must_use]
-pub fn lines(values: &Raster<f64>, level: f64) -> Vec<Vec<[f64; 2]>> {
-    let mut links = Links::new(values);
-    for y in 1..values.height {
-        for x in 1..values.width {
-            links.cross(values, level, x - 1, y - 1);
+pub fn lines(values: &Raster<f64>, levels: &[f64]) -> Vec<Vec<[f64; 2]>> {
+    let mut links: Vec<Links> = levels.iter().map(|_| Links::new(values)).collect();
+    let rows = values.pixels.chunks(values.width.max(1));
+    for (y, (upper, lower)) in rows.clone().zip(rows.skip(1)).enumerate() {
+        for (x, (upper, lower)) in upper.windows(2).zip(lower.windows(2)).enumerate() {
+            let (&[a, b], &[d, c]) = (upper, lower) else {
+                continue;
+            };
+            let corners = [a, b, c, d];
+            // Most cells have no line.
+            let (low, high) = (a.min(b).min(c).min(d), a.max(b).max(c).max(d));
+            let first = levels.partition_point(|level| *level <= low);
+            let passed = levels.get(first..).unwrap_or_default();
+            let count = passed.partition_point(|level| *level <= high);
+            if count > 0 && corners.into_iter().all(f64::is_finite) {
+                for (level, links) in passed.iter().zip(links.iter_mut().skip(first)).take(count) {
+                    links.cross(corners, *level, x, y);
+                }
+            }
         }
     }
-    links.joined()
+    links.into_iter().flat_map(Links::joined).collect()
 }
 
 /// The points where lines cross the sides of cells, and which are neighbours on a line.
 struct Links {
     width: usize,
     height: usize,
-    /// By side.
-    points: Vec<Option<Crossing>>,
+    points: FxHashMap<Side, Crossing>,
 }
 
 /// Where a line crosses a side.
@@ -44,26 +59,15 @@ struct Crossing {
 
 impl Links {
     fn new(values: &Raster<f64>) -> Self {
-        let (width, height) = (values.width, values.height);
         Self {
-            width,
-            height,
-            points: vec![None; 2 * width * height],
+            width: values.width,
+            height: values.height,
+            points: FxHashMap::default(),
         }
     }
 
-    /// Adds the lines through the cell whose upper left corner is the pixel at `x`, `y`.
-    fn cross(&mut self, values: &Raster<f64>, level: f64, x: usize, y: usize) {
-        let value = |x, y| values.at(x, y).copied().filter(|v| v.is_finite());
-        let corners = [
-            value(x, y),
-            value(x + 1, y),
-            value(x + 1, y + 1),
-            value(x, y + 1),
-        ];
-        let [Some(a), Some(b), Some(c), Some(d)] = corners else {
-            return;
-        };
+    /// Adds the lines through the cell whose upper left corner is the pixel at `x`, `y`; its corners clockwise from there.
+    fn cross(&mut self, [a, b, c, d]: [f64; 4], level: f64, x: usize, y: usize) {
         let is_above = [a, b, c, d].map(|v| v >= level);
         // The sides between the corners, clockwise from above.
         let (across, down) = (|x, y| y * self.width + x, self.width * self.height);
@@ -106,12 +110,10 @@ impl Links {
 
     fn link(&mut self, (a, at_a): (Side, [f64; 2]), (b, at_b): (Side, [f64; 2])) {
         for (side, point, other) in [(a, at_a, b), (b, at_b, a)] {
-            if let Some(slot) = self.points.get_mut(side) {
-                let next = [None; 2];
-                let crossing = slot.get_or_insert(Crossing { point, next });
-                if let Some(free) = crossing.next.iter_mut().find(|next| next.is_none()) {
-                    *free = Some(other);
-                }
+            let next = [None; 2];
+            let crossing = self.points.entry(side).or_insert(Crossing { point, next });
+            if let Some(free) = crossing.next.iter_mut().find(|next| next.is_none()) {
+                *free = Some(other);
             }
         }
     }
@@ -119,10 +121,12 @@ impl Links {
     /// The lines, point by point: those with ends first, then those without.
     fn joined(mut self) -> Vec<Vec<[f64; 2]>> {
         let mut lines = Vec::new();
+        let mut sides: Vec<Side> = self.points.keys().copied().collect();
+        sides.sort_unstable();
         for wants_end in [true, false] {
-            for side in 0..self.points.len() {
-                let slot = self.points.get(side).copied().flatten();
-                let is_start = slot.is_some_and(|at| at.next.contains(&None) == wants_end);
+            for &side in &sides {
+                let at = self.points.get(&side);
+                let is_start = at.is_some_and(|at| at.next.contains(&None) == wants_end);
                 if is_start {
                     lines.push(self.taken(side, !wants_end));
                 }
@@ -136,11 +140,10 @@ impl Links {
         let scale = [1.0 / self.width as f64, 1.0 / self.height as f64];
         let mut line = Vec::new();
         let mut next = Some(start);
-        while let Some(at) = next.and_then(|side| self.points.get_mut(side).and_then(Option::take))
-        {
+        while let Some(at) = next.and_then(|side| self.points.remove(&side)) {
             let [x, y] = at.point;
             line.push([(x + 0.5) * scale[0], (y + 0.5) * scale[1]]);
-            let is_left = |side: &Side| self.points.get(*side).is_some_and(Option::is_some);
+            let is_left = |side: &Side| self.points.contains_key(side);
             next = at.next.into_iter().flatten().find(is_left);
         }
         if is_closed {
@@ -221,7 +224,7 @@ mod tests {
 
     #[test]
     fn a_circle_is_one_closed_line() {
-        let lines = lines(&raster(64, |x, y| x * x + y * y), 0.25);
+        let lines = lines(&raster(64, |x, y| x * x + y * y), &[0.25]);
         assert_eq!(lines.len(), 1);
         let line = &lines[0];
         assert_eq!(line.first(), line.last());
@@ -238,7 +241,7 @@ mod tests {
     #[test]
     fn an_open_line_ends_at_the_rim_and_gaps_have_none() {
         let slope = |x: f64, y: f64| if x.abs() < 0.2 { f64::NAN } else { y };
-        let lines = lines(&raster(20, slope), 0.01);
+        let lines = lines(&raster(20, slope), &[0.01]);
         assert_eq!(lines.len(), 2);
         for line in &lines {
             // 8 columns to either side of the gap, the cells between them 7.
@@ -249,7 +252,7 @@ mod tests {
 
     #[test]
     fn a_saddle_is_cut_on_the_side_of_its_centre() {
-        let saddle = |level| lines(&raster(2, |x, y| 4.0 * x * y), level);
+        let saddle = |level| lines(&raster(2, |x, y| 4.0 * x * y), &[level]);
         // Corners 1 and -1; the centre, 0, is above -0.5 with the high corners, which lie upper right and lower left.
         let joined = saddle(-0.5);
         assert_eq!(joined.len(), 2);

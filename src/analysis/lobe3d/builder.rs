@@ -8,7 +8,7 @@ use crate::analysis::lobe::{HeldLobe, Seeds};
 use crate::analysis::{Detail, IsWanted};
 
 /// Halvings of the octahedron's edges before the lobe is looked at: edges of 5.6 degrees.
-const UNIFORM_LEVELS: u32 = 4;
+pub(super) const UNIFORM_LEVELS: u32 = 4;
 
 /// A triangle is divided while it holds at least this many of the lobe's samples.
 const SEEDS_TO_SPLIT: usize = 4;
@@ -61,11 +61,13 @@ pub(super) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
+    /// The mesh after `levels` halvings of all edges.
     pub(super) fn new(
         lobe: &'a HeldLobe<'a>,
         request: Request,
         is_upper: bool,
         seeds: &Seeds,
+        levels: u32,
     ) -> Self {
         let mut builder = Self {
             lobe,
@@ -100,7 +102,7 @@ impl<'a> Builder<'a> {
                 is_new: true,
             });
         }
-        for _ in 0..UNIFORM_LEVELS {
+        for _ in 0..levels {
             builder.halve_edges_where(|_, _, _| true);
             builder.divide_triangles();
         }

@@ -6,10 +6,10 @@
 
 use glam::DVec3;
 
-use super::lobe::HeldLobe;
+use super::lobe::{HeldLobe, Seeds};
 use super::scale::RadialScale;
 use super::{Detail, IsWanted, Question, Subject};
-use builder::Builder;
+use builder::{Builder, UNIFORM_LEVELS};
 
 mod builder;
 
@@ -106,14 +106,39 @@ pub fn mesh_while(
     detail: Detail,
     is_wanted: IsWanted<'_>,
 ) -> Option<Mesh> {
-    let seeds = lobe.seeds();
+    let refine = |builder: &mut Builder<'_>| builder.refine(detail, is_wanted);
+    hemispheres(lobe, request, &lobe.seeds(), UNIFORM_LEVELS, refine)
+}
+
+/// The mesh whose edges are all halved `levels` times, wherever the lobe is: an edge is 90 degrees over 2^`levels` long.
+#[must_use]
+pub fn uniform(lobe: &HeldLobe<'_>, levels: u32) -> Mesh {
+    let request = Request {
+        scale: RadialScale::Linear,
+        with_cosine: false,
+    };
+    let nowhere = Seeds {
+        directions: Vec::new(),
+        integral: 0.0,
+    };
+    hemispheres(lobe, &request, &nowhere, levels, |_| Some(())).unwrap_or_default()
+}
+
+/// The meshes of the hemispheres in which the lobe is not 0, as one, after `levels` halvings and what `refine` does then.
+fn hemispheres(
+    lobe: &HeldLobe<'_>,
+    request: &Request,
+    seeds: &Seeds,
+    levels: u32,
+    refine: impl Fn(&mut Builder<'_>) -> Option<()>,
+) -> Option<Mesh> {
     let mut whole = Mesh::default();
     for is_upper in [true, false] {
-        let mut builder = Builder::new(lobe, *request, is_upper, &seeds);
+        let mut builder = Builder::new(lobe, *request, is_upper, seeds, levels);
         if builder.is_empty() {
             continue;
         }
-        builder.refine(detail, is_wanted)?;
+        refine(&mut builder)?;
         let first = whole.vertices.len() as u32;
         whole.peak = whole.peak.max(builder.peak);
         whole.vertices.extend(builder.vertices);

@@ -29,6 +29,18 @@ impl Ray {
             .map(|t| (t >= 0.0).then(|| self.origin + t * self.direction))
     }
 
+    /// Whether the ray passes through the box with these corners, the least first.
+    #[must_use]
+    pub fn meets_box(&self, [least, most]: [Vec3; 2]) -> bool {
+        // Along an axis where the ray does not move, both are infinite, or NaN on a face, which `min` and `max` pass over.
+        let (a, b) = (
+            (least - self.origin) / self.direction,
+            (most - self.origin) / self.direction,
+        );
+        let (enters, leaves) = (a.min(b).max_element(), a.max(b).min_element());
+        !(enters > leaves || leaves < 0.0)
+    }
+
     /// The point of the sphere of `radius` about the origin for a handle that follows the pointer.
     ///
     /// This is the front hit; the back hit from inside the sphere; and on a miss the point of the
@@ -56,6 +68,24 @@ mod tests {
     use super::*;
 
     const EYE: Vec3 = Vec3::new(0.0, -3.0, 4.0);
+
+    #[test]
+    fn a_box_is_met_where_the_ray_passes_through_it() {
+        let bounds = [Vec3::new(-1.0, 0.0, 0.0), Vec3::new(1.0, 2.0, 0.5)];
+        let ray = |x, y, z, direction| Ray {
+            origin: Vec3::new(x, y, z),
+            direction,
+        };
+        let down = Vec3::NEG_Z;
+        assert!(ray(0.5, 1.0, 3.0, down).meets_box(bounds));
+        assert!(!ray(1.5, 1.0, 3.0, down).meets_box(bounds));
+        assert!(!ray(0.5, 1.0, -1.0, down).meets_box(bounds), "behind");
+        assert!(ray(0.5, 1.0, 0.2, down).meets_box(bounds), "from inside");
+        assert!(ray(1.0, 1.0, 3.0, down).meets_box(bounds), "along a face");
+        let slant = Vec3::new(1.0, 0.0, -1.0);
+        assert!(ray(-3.0, 1.0, 3.0, slant).meets_box(bounds));
+        assert!(!ray(-5.0, 1.0, 3.0, slant).meets_box(bounds));
+    }
 
     fn ray_to(point: Vec3) -> Ray {
         Ray {

@@ -230,10 +230,7 @@ fn draw_contours(
     let lines = cx.state.contours(entry, map, scale, |map| {
         let values = map.channel(Channel::Luminance);
         let levels = contour::levels(low, high, scale.kind == ScaleKind::Logarithmic);
-        let lines = levels
-            .into_iter()
-            .map(|level| contour::lines(&values, level));
-        lines.flatten().collect()
+        contour::lines(&values, &levels)
     });
     let painter = ui.painter_at(rect);
     let is_on_white =

@@ -138,6 +138,8 @@ struct DrawnLobe {
     radii: Vec<f64>,
     tips: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
+    /// The corners of the box about the tips.
+    bounds: [Vec3; 2],
 }
 
 impl DrawnLobe {
@@ -149,10 +151,13 @@ impl DrawnLobe {
             .zip(&radii)
             .map(|(vertex, radius)| (vertex.direction * (LARGEST_RADIUS * radius)).as_vec3())
             .collect();
+        let least = tips.iter().copied().fold(Vec3::ZERO, Vec3::min);
+        let most = tips.iter().copied().fold(Vec3::ZERO, Vec3::max);
         let mut lobe = Self {
             radii,
             tips,
             triangles: Vec::new(),
+            bounds: [least, most],
         };
         // Triangles that have shrunk into the centre show nothing and would spoil the normals.
         let is_seen =
@@ -258,6 +263,9 @@ impl DrawnLobe {
 
     /// How far along `ray`, in units of its direction, the surface is first met (Moeller & Trumbore 1997).
     pub(super) fn hit(&self, ray: &Ray) -> Option<f32> {
+        if !ray.meets_box(self.bounds) {
+            return None;
+        }
         let distance = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.map(|index| self.tip(index));
             let (ab, ac) = (b - a, c - a);

@@ -1,0 +1,94 @@
+//! The cheapest choice that is good enough.
+
+use serde::Serialize;
+
+use super::{CostUnit, FamilyReport, Point, Report};
+use crate::bxdf::Material;
+
+/// Tolerances for which advice is given where none is asked for: relative errors, root mean square.
+pub const DEFAULT_TOLERANCES: [f64; 4] = [1e-1, 1e-2, 1e-3, 1e-4];
+
+/// The id under which advice for the material as a whole stands among that for families.
+pub const WHOLE: &str = "material";
+
+/// A choice for a tolerance.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Advice {
+    /// The largest error that is good enough: relative, root mean square.
+    pub tolerance: f64,
+    /// The id of the family, or [`WHOLE`].
+    pub family: &'static str,
+    /// Whether the choice meets the tolerance; where none does it is the closest.
+    pub met: bool,
+    /// The choice.
+    pub choice: String,
+    /// Its number of samples, nodes or vertices.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub n: Option<u64>,
+    /// What it costs, in nanoseconds.
+    pub cost_ns: f64,
+    /// Its error.
+    pub error_rms: f64,
+    /// What is lost with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost: Option<String>,
+    /// The material that it is, where it is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material: Option<Material>,
+}
+
+/// What is cheapest within `tolerance`, for each family of `report` that has points and for the material as a whole.
+#[must_use]
+pub fn advise(report: &Report, tolerance: f64) -> Vec<Advice> {
+    let of_families = report
+        .families
+        .iter()
+        .filter_map(|family| best(family.id, &family.points, tolerance));
+    let whole = best(WHOLE, &whole(&report.families), tolerance);
+    of_families.chain(whole).collect()
+}
+
+/// The choices for the material as it is used: the number formats of the exact material, and its stand-ins with the error
+/// that they have in the precision in which their cost was measured.
+fn whole(families: &[FamilyReport]) -> Vec<Point> {
+    let evaluated = families
+        .iter()
+        .filter(|family| family.cost_unit == CostUnit::Evaluation);
+    let points = evaluated.flat_map(|family| &family.points);
+    let as_used = |point: &Point| {
+        // A stand-in that is the material itself stands among the number formats already.
+        let is_exact = point.error_rms_f32.is_some() && point.lost.is_none();
+        (!is_exact).then(|| Point {
+            error_rms: point.error_rms_f32.unwrap_or(point.error_rms),
+            choice: match point.error_rms_f32 {
+                Some(_) => format!("{}, in f32", point.choice),
+                None => point.choice.clone(),
+            },
+            ..point.clone()
+        })
+    };
+    points.filter_map(as_used).collect()
+}
+
+/// The cheapest of `points` within `tolerance`, or the nearest.
+fn best(family: &'static str, points: &[Point], tolerance: f64) -> Option<Advice> {
+    let within = points.iter().filter(|point| point.error_rms <= tolerance);
+    let cheapest = within.min_by(|a, b| a.cost_ns.total_cmp(&b.cost_ns));
+    let nearest = || {
+        points
+            .iter()
+            .min_by(|a, b| a.error_rms.total_cmp(&b.error_rms))
+    };
+    let point = cheapest.or_else(nearest)?;
+    Some(Advice {
+        tolerance,
+        family,
+        met: cheapest.is_some(),
+        choice: point.choice.clone(),
+        n: point.n,
+        cost_ns: point.cost_ns,
+        error_rms: point.error_rms,
+        lost: point.lost.clone(),
+        material: point.material.clone(),
+    })
+}

@@ -1,0 +1,122 @@
+//! What a measurement reports to, and how far it is.
+
+use super::{Family, FamilyReport, Point, Report, Slopes, Stop, Study, front};
+use crate::analysis::IsWanted;
+use crate::lab::timing::{Stopwatch, Timing};
+
+/// What families report to while they measure.
+pub struct Bench<'a> {
+    stopwatch: &'a dyn Stopwatch,
+    is_wanted: IsWanted<'a>,
+    /// Told of the report so far, after each point, and of the share of the work done, 0..1.
+    listener: &'a mut dyn FnMut(&Report, f64),
+    report: Report,
+    /// The shares of the work done and to be done.
+    done: f64,
+    current: f64,
+    total: f64,
+    fraction: f64,
+}
+
+impl Bench<'_> {
+    /// The time that `work` takes; see [`Stopwatch::time`].
+    pub(super) fn time(&self, size: f64, work: &mut dyn FnMut()) -> Timing {
+        self.stopwatch.time(size, work)
+    }
+
+    /// # Errors
+    /// [`Stop::Unwanted`], where nobody wants more.
+    pub(super) fn wanted(&self) -> Result<(), Stop> {
+        if (self.is_wanted)() {
+            Ok(())
+        } else {
+            Err(Stop::Unwanted)
+        }
+    }
+
+    /// This share of the family's work, 0..1, is done.
+    ///
+    /// # Errors
+    /// As [`Self::wanted`].
+    pub(super) fn at(&mut self, fraction: f64) -> Result<(), Stop> {
+        self.fraction = fraction;
+        self.wanted()
+    }
+
+    /// What the family's choices are held against.
+    pub(super) fn reference(&mut self, text: String) {
+        if let Some(family) = self.report.families.last_mut() {
+            family.reference = text;
+        }
+    }
+
+    /// A choice has been measured.
+    pub(super) fn point(&mut self, point: Point) {
+        if let Some(family) = self.report.families.last_mut() {
+            family.points.push(point);
+            front::mark(&mut family.points);
+        }
+        self.tell();
+    }
+
+    fn tell(&mut self) {
+        let progress = (self.done + self.current * self.fraction) / self.total;
+        (self.listener)(&self.report, progress);
+    }
+
+    fn run(&mut self, family: &dyn Family, study: &Study<'_>) -> Result<(), Stop> {
+        self.report.families.push(FamilyReport {
+            id: family.id(),
+            title: family.title(),
+            reference: String::new(),
+            not_applicable: None,
+            cost_unit: family.cost_unit(),
+            points: Vec::new(),
+            slopes: Slopes::new(),
+        });
+        (self.current, self.fraction) = (family.share(), 0.0);
+        let outcome = family.measure(study, self);
+        self.done += self.current;
+        (self.current, self.fraction) = (0.0, 0.0);
+        if let Some(report) = self.report.families.last_mut() {
+            report.slopes = front::slopes(&report.points);
+            if let Err(Stop::NotApplicable(reason)) = &outcome {
+                report.not_applicable = Some(reason.clone());
+            }
+        }
+        self.tell();
+        match outcome {
+            Err(Stop::Unwanted) => Err(Stop::Unwanted),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Measures the choices of `families` for the material of `study`. `listener` is told of the report so far and of the
+/// share of the work done, 0..1, after each point. `None` as soon as `is_wanted` says no.
+#[must_use]
+pub fn measure(
+    study: &Study<'_>,
+    families: &[&dyn Family],
+    stopwatch: &dyn Stopwatch,
+    is_wanted: IsWanted<'_>,
+    listener: &mut dyn FnMut(&Report, f64),
+) -> Option<Report> {
+    let mut bench = Bench {
+        stopwatch,
+        is_wanted,
+        listener,
+        report: Report {
+            material: study.material.clone(),
+            families: Vec::new(),
+        },
+        done: 0.0,
+        current: 0.0,
+        total: families.iter().map(|family| family.share()).sum(),
+        fraction: 0.0,
+    };
+    for family in families {
+        bench.run(*family, study).ok()?;
+    }
+    Some(bench.report)
+}

@@ -1,0 +1,136 @@
+//! Number formats: what the digits of a material's values cost.
+
+use glam::DVec3;
+use rayon::prelude::*;
+use xprec::Df64;
+
+use super::{Bench, CostUnit, Family, Point, Stop, Study};
+use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::math::Real;
+use crate::bxdf::{Bxdf, Precision};
+
+/// The family.
+pub(super) struct Precisions;
+
+impl Family for Precisions {
+    fn id(&self) -> &'static str {
+        "precision"
+    }
+
+    fn title(&self) -> &'static str {
+        "Precision of numbers"
+    }
+
+    fn cost_unit(&self) -> CostUnit {
+        CostUnit::Evaluation
+    }
+
+    fn share(&self) -> f64 {
+        1.0
+    }
+
+    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
+        let reference = study.material.build::<Df64>();
+        let exact = |pairs: &[(DVec3, DVec3)]| pair_by_pair(&*reference, pairs);
+        let baseline = study.baseline(&exact)?;
+        bench.reference("double-double numbers of 32 digits".to_owned());
+        let pairs = &study.probe.pairs;
+        let n = pairs.len() as f64;
+        let add = |bench: &mut Bench<'_>, name: &str, values: super::errors::Values<'_>, cost| {
+            let point = Point::new(name).with_errors(baseline.errors(values));
+            bench.point(point.costing(cost));
+        };
+        bench.wanted()?;
+        let single = study.material.build::<f32>();
+        for (name, path) in [
+            ("f32, polynomials, widest registers", Path::Dispatched),
+            ("f32, polynomials, plain", Path::Plain),
+        ] {
+            let mut batch = Batch::<f32>::new(pairs);
+            let cost = bench.time(n, &mut || batch.run(&*single, path)).over(n);
+            let values = |pairs: &[(DVec3, DVec3)]| values_in(&*single, path, pairs);
+            add(bench, name, &values, cost);
+        }
+        bench.at(0.2)?;
+        for (name, path) in [
+            ("f64, widest registers", Path::Dispatched),
+            ("f64, plain", Path::Plain),
+        ] {
+            let mut batch = Batch::<f64>::new(pairs);
+            let cost = bench
+                .time(2.0 * n, &mut || batch.run(study.bxdf(), path))
+                .over(n);
+            let values = |pairs: &[(DVec3, DVec3)]| values_in(study.bxdf(), path, pairs);
+            add(bench, name, &values, cost);
+        }
+        bench.at(0.4)?;
+        let some = pairs
+            .get(..pairs.len().min(TIMED_PAIRS))
+            .unwrap_or_default();
+        let count = some.len() as f64;
+        let cost = bench.time(100.0 * count, &mut || {
+            let values = some.iter().map(|pair| value(&*reference, pair)[0]);
+            std::hint::black_box(values.sum::<f64>());
+        });
+        add(bench, "double-double (reference)", &exact, cost.over(count));
+        Ok(())
+    }
+}
+
+/// Pairs at which the slow reference is timed.
+const TIMED_PAIRS: usize = 512;
+
+fn value(bxdf: &dyn Bxdf<Df64>, (wo, wi): &(DVec3, DVec3)) -> [f64; 3] {
+    bxdf.f((*wo).into(), (*wi).into()).to_f64()
+}
+
+fn pair_by_pair(bxdf: &dyn Bxdf<Df64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
+    pairs.par_iter().map(|pair| value(bxdf, pair)).collect()
+}
+
+/// Pairs of directions and room for their values, component by component.
+pub(super) struct Batch<R> {
+    wo: [Vec<R>; 3],
+    wi: [Vec<R>; 3],
+    f: [Vec<R>; 3],
+}
+
+impl<R: Precision + Real<Stored = R>> Batch<R> {
+    /// Of these pairs (wo, wi).
+    pub(super) fn new(pairs: &[(DVec3, DVec3)]) -> Self {
+        let components = |pick: fn(&(DVec3, DVec3)) -> DVec3| {
+            [0, 1, 2].map(|axis| pairs.iter().map(|pair| R::of(pick(pair)[axis])).collect())
+        };
+        Self {
+            wo: components(|pair| pair.0),
+            wi: components(|pair| pair.1),
+            f: [(); 3].map(|()| vec![R::zero(); pairs.len()]),
+        }
+    }
+
+    /// Evaluates f of all pairs.
+    pub(super) fn run(&mut self, bxdf: &dyn Bxdf<R>, path: Path) {
+        let job = Job::F {
+            wo: self.wo.each_ref().map(Vec::as_slice),
+            wi: self.wi.each_ref().map(Vec::as_slice),
+            f: self.f.each_mut().map(Vec::as_mut_slice),
+        };
+        bxdf.batch(path, job);
+        std::hint::black_box(&self.f);
+    }
+}
+
+/// f of `bxdf` in 1/sr at `pairs`, evaluated in `R`.
+pub(super) fn values_in<R: Precision + Real<Stored = R>>(
+    bxdf: &dyn Bxdf<R>,
+    path: Path,
+    pairs: &[(DVec3, DVec3)],
+) -> Vec<[f64; 3]> {
+    let mut batch = Batch::new(pairs);
+    batch.run(bxdf, path);
+    let [r, g, b] = &batch.f;
+    let channels = r.iter().zip(g).zip(b);
+    channels
+        .map(|((r, g), b)| [r, g, b].map(|x| x.as_f64()))
+        .collect()
+}
