@@ -190,7 +190,10 @@ impl FromStr for Component {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
+    use crate::bxdf::param::Kind;
 
     #[test]
     fn text_round_trips() {
@@ -218,5 +221,81 @@ mod tests {
             let line = text.parse::<Component>().unwrap_err().to_string();
             assert!(line.contains(expected) && !line.contains('\n'), "{line}");
         }
+    }
+
+    /// The model at its defaults, and with each word, flag, end of a slider, and colour of three channels.
+    fn at_many_parameters(model: &'static ModelSpec) -> Vec<Component> {
+        let mut all = vec![Component::of(model)];
+        for spec in model.parameters {
+            let [low, high] = spec.soft;
+            let values = match spec.kind {
+                Kind::Number => vec![Value::Number(low), Value::Number(high)],
+                Kind::Rgb => vec![Value::Rgb([low, 0.3, high])],
+                Kind::Choice => spec
+                    .choices
+                    .iter()
+                    .map(|word| Value::Choice(word))
+                    .collect(),
+                Kind::Bool => vec![Value::Bool(false), Value::Bool(true)],
+            };
+            for value in values {
+                let mut changed = Component::of(model);
+                if changed.set(spec.name, value).is_ok() {
+                    all.push(changed);
+                }
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn stand_ins_are_components_of_their_own_and_replace_once() {
+        for model in models::MODELS {
+            let found: BTreeSet<&str> = at_many_parameters(model)
+                .iter()
+                .flat_map(Component::stand_ins)
+                .map(|(stand_in, _)| stand_in.name)
+                .collect();
+            let listed: BTreeSet<&str> = model.stand_ins.iter().map(|one| one.name).collect();
+            assert_eq!(found, listed, "{}", model.id);
+            assert_eq!(listed.len(), model.stand_ins.len(), "{}", model.id);
+            for component in at_many_parameters(model) {
+                for stand_in in model.stand_ins {
+                    let case = format!("{component}: {}", stand_in.name);
+                    assert!(
+                        !stand_in.lost.is_empty() && !stand_in.lost.ends_with('.'),
+                        "{case}"
+                    );
+                    let Some(text) = (stand_in.replace)(component.params()) else {
+                        continue;
+                    };
+                    assert_ne!(text, component.to_string(), "{case}");
+                    let replacement: Component = text.parse().unwrap();
+                    assert_eq!(replacement.to_string(), text, "{case}");
+                    let _ = replacement.build::<f64>();
+                    let again = replacement.model().id == model.id
+                        && (stand_in.replace)(replacement.params()).is_some();
+                    assert!(!again, "{case}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn stand_ins_are_those_of_the_parameters() {
+        let names = |text: &str| -> Vec<&str> {
+            let component: Component = text.parse().unwrap();
+            component.stand_ins().map(|(one, _)| one.name).collect()
+        };
+        let cheap = "rough_conductor:fresnel=schlick,masking=separable";
+        assert_eq!(names(cheap), [""; 0]);
+        assert_eq!(names("principled:sheen=.1"), ["Without sheen"]);
+        let mut chalk: Component = "oren_nayar:reflectance=.7/.6/.5".parse().unwrap();
+        chalk.set_weight(0.25).unwrap();
+        let (_, lambert) = chalk.stand_ins().next().unwrap();
+        assert_eq!(
+            (lambert.to_string().as_str(), lambert.weight()),
+            ("lambertian_reflection:reflectance=0.7/0.6/0.5", 0.25)
+        );
     }
 }
