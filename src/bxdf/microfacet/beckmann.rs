@@ -6,8 +6,8 @@
 //! 2011 for that of erf (`giles2011`).
 //!
 //! # Departures
-//! None in value: masking uses erf itself, not the popular rational fit (off by up to .31 %), so that sampling and
-//! density agree. With A = cot(theta) / alpha and s = sqrt(alpha_x^2 x^2 + alpha_y^2 y^2), so that A = z / s,
+//! None in value: masking uses erf itself, not the popular rational fit (`beckmann_rational`), so that sampling and density
+//! agree. With A = cot(theta) / alpha and s = sqrt(alpha_x^2 x^2 + alpha_y^2 y^2), so that A = z / s,
 //! z (1 + 2 Lambda) = z + s (exp(-A^2) / sqrt(pi) - A erfc(A)): a sum of positive terms, the second of which is at most
 //! the rounding of the first where its own difference cancels; and no tangent.
 
@@ -58,10 +58,16 @@ impl<R: Real> Beckmann<R> {
         z + s * a.ierfc()
     }
 
+    /// |z| and s: A is their quotient.
+    #[inline(always)]
+    pub(super) fn cosine_and_spread(&self, w: Vec3<R>) -> (R, R) {
+        let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
+        (w.z.abs(), (x * x + y * y).sqrt())
+    }
+
     #[inline(always)]
     fn z_s_a(&self, w: Vec3<R>) -> (R, R, R) {
-        let (x, y) = (self.alpha_x * w.x, self.alpha_y * w.y);
-        let (z, s) = (w.z.abs(), (x * x + y * y).sqrt());
+        let (z, s) = self.cosine_and_spread(w);
         let largest = R::of(LARGEST_A);
         let a = if largest * s > z { z / s } else { largest };
         (z, s, a)

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::Masking;
 use super::multiple_scattering::EnergyTable;
+use super::{Distribution, Masking};
 use crate::bxdf::math::Real;
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::facet_fresnel::FacetFresnel;
@@ -78,7 +78,7 @@ impl<R: Real> Compensation<R> {
     ) -> Option<Self> {
         let table = || {
             let alpha = (params.number("alpha_x") * params.number("alpha_y")).sqrt();
-            EnergyTable::of(params.choice("distribution") == "beckmann", alpha, masking)
+            EnergyTable::of(Distribution::<R>::is_beckmann(params), alpha, masking)
         };
         match params.choice("compensation") {
             "kulla_conty" => {

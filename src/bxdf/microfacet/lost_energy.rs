@@ -13,7 +13,7 @@
 
 use std::sync::OnceLock;
 
-use super::{Distribution, Masking};
+use super::{Distribution, Masking, Normals};
 use crate::bxdf::math::quadrature::gauss_legendre;
 use crate::bxdf::math::{Real, Vec3};
 
@@ -32,7 +32,7 @@ impl Lobe {
     pub(super) fn one_minus_e(&self, mu: f64) -> f64 {
         let tan = ((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt() / mu;
         let w_end = tan.asinh();
-        let distribution = Distribution::new(self.is_beckmann, self.alpha, self.alpha);
+        let distribution = Distribution::new(self.is_beckmann, [self.alpha; 2]);
         let excess_o = excess(&distribution, mu);
         let g1 = 2.0 * mu / (2.0 * mu + excess_o);
         let [azimuths, _] = rules();

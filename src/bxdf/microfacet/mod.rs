@@ -1,18 +1,21 @@
 //! Microfacet distributions: D, the masking functions and visible normals.
 
 pub mod beckmann;
+pub mod beckmann_rational;
 pub mod compensation;
 pub mod distribution;
 pub mod ggx;
 pub mod gtr1;
 mod lost_energy;
 pub mod multiple_scattering;
+pub mod refraction;
 
 pub use distribution::{Distribution, Normals};
 
 use crate::bxdf::both_above;
 use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::fresnel::{self, Dielectric};
+use crate::bxdf::optics::fresnel::Dielectric;
+use crate::bxdf::optics::interface::Interface;
 use crate::bxdf::param::{ParamSet, ParamSpec, Scale, Value};
 use crate::bxdf::spec::StandIn;
 
@@ -37,8 +40,8 @@ impl Masking {
     /// What may replace [`Self::Correlated`] where `masking` chooses it.
     pub const STAND_IN: StandIn = StandIn {
         name: "Separable for correlated masking",
-        lost: "A low facet counts as hidden from both sides twice: the lobe is too dark at grazing angles, the more the \
-               rougher",
+        lost: "A low facet counts as hidden from both sides twice: the lobe is too dark at grazing angles, the more so \
+               the rougher it is",
         replace: |params| params.replaced(&[("masking", Value::Choice("separable"))]),
     };
 
@@ -150,12 +153,12 @@ impl<R: Real> Pair<R> {
         Some(Self { wo, wi, wh, cos_d })
     }
 
-    /// What a facet of relative index `n` does with light between the two.
+    /// What a facet that is such an `interface`, of relative index `n`, does with light between the two.
     #[inline(always)]
-    pub fn dielectric(&self, n: R) -> Dielectric<R> {
+    pub fn dielectric(&self, interface: &impl Interface<R>, n: R) -> Dielectric<R> {
         // Half the angle between the two: |wo - wi| / 2 is its sine.
         let sin2 = (self.wo - self.wi).length_squared() * R::of(0.25);
-        fresnel::dielectric_with_sine(self.cos_d, sin2, n)
+        interface.with_sine(self.cos_d, sin2, n)
     }
 }
 

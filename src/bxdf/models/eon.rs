@@ -47,8 +47,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     stand_ins: &[
         StandIn {
             name: "Oren-Nayar for the energy-preserving form",
-            lost: "Light that bounces among the facets is left out: the surface is darker and its colours are paler, the more the \
-                   rougher",
+            lost: "Light that bounces among the facets is left out: the surface is darker and its colours are paler, the more so \
+                   the rougher it is",
             replace: |params| {
                 let sigma = sigma_of(params.number("roughness"));
                 oren_nayar::SPEC.text_at(&[

@@ -4,7 +4,9 @@
 //! A Fresnel-weighted microfacet coat (Walter et al. 2007, `walter2007`) over a Lambertian ground whose light crosses
 //! the coat twice and bounces below it any number of times, summed as a geometric series (Saunderson 1942,
 //! `saunderson1942`): f = F D V + rho/pi T(mu_i) T(mu_o) / (n^2 (1 - d Fdr_int)), with d = rho (`nonlinear`: the
-//! bounces saturate the colour) or 1 (they do not). Fdr_int is the mean Fresnel reflectance from inside.
+//! bounces saturate the colour) or 1 (they do not). Fdr_int is the mean Fresnel reflectance from inside. F may be Schlick's
+//! approximation (`schlick1994`), or that with the term of Lazanyi & Szirmay-Kalos (`lazanyi2005`), T its rest to 1 and Fdr_int
+//! its mean.
 //!
 //! # Departures
 //! The smooth T(mu) stands under the rough coat too. There the coat's own albedo is not F(mu), and the two need not sum
@@ -18,15 +20,28 @@
 
 use super::*;
 use crate::bxdf::math::warp;
-use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{Distribution, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
-use crate::bxdf::optics::diffuse_fresnel::diffuse_transmittance;
-use crate::bxdf::optics::{Spectrum, fresnel};
+use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
+use crate::bxdf::microfacet::{Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
+use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::interface::{self, INTERFACE, Interface, with_interface};
 use crate::bxdf::param::{ParamSet, Scale};
 use crate::bxdf::{Delta, Deltas, Microfacet, reflected_direction, sample_reflection};
 
 /// The smallest width of a rough coat.
 const SMALLEST_ALPHA: f64 = 1e-4;
+
+/// A stand-in where the coat is rough.
+macro_rules! of_rough_coat {
+    ($stand_in:expr) => {
+        StandIn {
+            replace: |params| {
+                let is_rough = params.number("alpha_x") > 0.0;
+                is_rough.then(|| ($stand_in.replace)(params))?
+            },
+            ..$stand_in
+        }
+    };
+}
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -41,6 +56,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     ],
     parameters: &[
         DIELECTRIC_ETA,
+        INTERFACE,
         ParamSpec::rgb(
             "diffuse",
             [0.5; 3],
@@ -79,12 +95,14 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         reference: build,
     },
     stand_ins: &[
-        ROUGH_SEPARABLE,
+        interface::LAZANYI,
+        interface::SCHLICK,
+        of_rough_coat!(RATIONAL_MASKING),
+        of_rough_coat!(Masking::STAND_IN),
         ONE_WIDTH,
         StandIn {
             name: "Bounces that do not saturate",
-            lost: "Light that bounces below the coat meets the colour only once: the ground is paler, and darker where it is \
-                   dark",
+            lost: "Light that bounces below the coat meets the colour only once: the ground is brighter, and its colours paler",
             replace: |params| params.replaced(&[("nonlinear", Value::Bool(false))]),
         },
     ],
@@ -112,19 +130,9 @@ fn validate(params: &ParamSet) -> Result<()> {
     }
 }
 
-/// [`Masking::STAND_IN`] where there is a rough coat to be masked.
-const ROUGH_SEPARABLE: StandIn = StandIn {
-    replace: |params| {
-        let is_rough = params.number("alpha_x") > 0.0;
-        is_rough
-            .then(|| (Masking::STAND_IN.replace)(params))
-            .flatten()
-    },
-    ..Masking::STAND_IN
-};
-
-struct Plastic<R, N> {
+struct Plastic<R, N, I> {
     eta: R,
+    interface: I,
     /// `None` where the coat is smooth.
     coat: Option<(N, Masking)>,
     /// f of the ground less T(mu_i) T(mu_o).
@@ -134,16 +142,19 @@ struct Plastic<R, N> {
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    match Distribution::from_params(params) {
-        Distribution::Ggx(normals) => build_with(params, normals),
-        Distribution::Beckmann(normals) => build_with(params, normals),
-    }
+    with_normals!(R, params, normals => {
+        with_interface!(R, params, interface => build_with(params, normals, interface))
+    })
 }
 
-fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
+fn build_with<R: Real>(
+    params: &ParamSet,
+    normals: impl Normals<R>,
+    interface: impl Interface<R>,
+) -> Box<dyn Bxdf<R>> {
     let one = R::one();
     let eta = R::of(params.number("eta"));
-    let diffuse_t = diffuse_transmittance(eta);
+    let diffuse_t = interface.diffuse_transmittance(eta);
     let is_nonlinear = params.flag("nonlinear");
     let ground = Spectrum::of(params.rgb("diffuse")).map(|rho| {
         let d = if is_nonlinear { rho } else { one };
@@ -153,20 +164,23 @@ fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn B
     let is_rough = params.number("alpha_x") > 0.0;
     Box::new(Plastic {
         eta,
+        interface,
         coat: is_rough.then(|| (normals, Masking::from_params(params))),
         ground,
         ground_albedo: ground.max_channel() * R::PI() * diffuse_t,
     })
 }
 
-impl<R: Real, N: Normals<R>> Plastic<R, N> {
+impl<R: Real, N: Normals<R>, I: Interface<R>> Plastic<R, N, I> {
     /// The coat's lobe; 0 where it is a delta.
     #[inline(always)]
     fn coat_value(&self, pair: &Pair<R>) -> Spectrum<R> {
         let Some((normals, masking)) = &self.coat else {
             return Spectrum::black();
         };
-        Spectrum::grey(pair.dielectric(self.eta).reflectance * normals.lobe(pair, *masking))
+        Spectrum::grey(
+            pair.dielectric(&self.interface, self.eta).reflectance * normals.lobe(pair, *masking),
+        )
     }
 
     /// The density of the coat's visible normals; 0 where it is a delta.
@@ -180,7 +194,7 @@ impl<R: Real, N: Normals<R>> Plastic<R, N> {
 
     #[inline(always)]
     fn ground_value(&self, pair: &Pair<R>) -> Spectrum<R> {
-        let through = |w| fresnel::dielectric_along(w, self.eta).transmittance;
+        let through = |w| self.interface.along(w, self.eta).transmittance;
         self.ground * (through(pair.wo) * through(pair.wi))
     }
 
@@ -199,7 +213,7 @@ impl<R: Real, N: Normals<R>> Plastic<R, N> {
     /// the other, which would lose the digits of a small one.
     #[inline(always)]
     fn shares(&self, w: Vec3<R>) -> [R; 2] {
-        let interface = fresnel::dielectric_along(w, self.eta);
+        let interface = self.interface.along(w, self.eta);
         let (coat, ground) = (
             interface.reflectance,
             interface.transmittance * self.ground_albedo,
@@ -213,7 +227,7 @@ impl<R: Real, N: Normals<R>> Plastic<R, N> {
     }
 }
 
-impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
+impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for Plastic<R, N, I> {
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
@@ -279,13 +293,13 @@ impl<R: Real, N: Normals<R>> Bxdf<R> for Plastic<R, N> {
         Some(Microfacet {
             d: normals.d(pair.wh),
             g: normals.g2(pair.wo, pair.wi, *masking),
-            fresnel: Spectrum::grey(pair.dielectric(self.eta).reflectance),
+            fresnel: Spectrum::grey(pair.dielectric(&self.interface, self.eta).reflectance),
         })
     }
 
     #[inline(always)]
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        let reflectance = fresnel::dielectric_along(w, self.eta).reflectance;
+        let reflectance = self.interface.along(w, self.eta).reflectance;
         let [share, _] = self.shares(w);
         let mirror = Delta {
             direction: w.mirrored_about_normal(),

@@ -137,7 +137,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         },
         StandIn {
             name: "Without anisotropy",
-            lost: "The highlight drawn out along s: it no longer turns with the surface",
+            lost: "The length of the highlight along s: it no longer turns with the surface",
             replace: |params| params.replaced(&[("anisotropic", Value::Number(0.0))]),
         },
     ],

@@ -4,13 +4,15 @@
 //! Torrance & Sparrow 1967 for the facet model (`torrance1967`), Walter et al. 2007 for the distributions
 //! (`walter2007`), Heitz 2014 for the masking (`heitz2014`): f = F D G2 / (4 mu_o mu_i). Light that meets several facets
 //! is given back, if wanted, by the lobe of Kulla & Conty 2017 (`kulla2017`), or by the factor 1 + F0 (1 - E) / E of
-//! Turquin 2019 (`turquin2019`).
+//! Turquin 2019 (`turquin2019`). Instead of its exact reflectance a metal may have Schlick's approximation (`schlick1994`), or
+//! that with the term of Lazanyi & Szirmay-Kalos (`lazanyi2005`, `hoffman2019`).
 //!
 //! # Departures
 //! None in value for one reflection; the formulas are rearranged to keep their digits (see `microfacet::ggx`). The colour
 //! of the multiple-scattering lobe is the sum of its geometric series, Fbar^2 Ebar / (1 - Fbar (1 - Ebar)), as Hill 2018
 //! corrects it (`hill2018`): the form of the talk of 2017 has one factor Fbar less, too bright for F < 1. E is that of
-//! the isotropic lobe with alpha = sqrt(alpha_x alpha_y), tabulated to 1e-5; Turquin fits it.
+//! the isotropic lobe with alpha = sqrt(alpha_x alpha_y), tabulated to 1e-5, of the exact masking also where that is
+//! fitted; Turquin fits it.
 //!
 //! # Validity
 //! Without compensation light that meets several facets is lost: at alpha 1 69 % at normal incidence with F = 1. Kulla &
@@ -24,13 +26,13 @@ use std::marker::PhantomData;
 use super::*;
 use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
-use crate::bxdf::microfacet::distribution::DISTRIBUTION;
+use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
 use crate::bxdf::microfacet::{
-    ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair,
+    ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair,
 };
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::optics::conductor::Conductor;
-use crate::bxdf::optics::facet_fresnel::{AnyFresnel, FacetFresnel, One, Schlick};
+use crate::bxdf::optics::facet_fresnel::{AnyFresnel, FacetFresnel, Lazanyi, One, Schlick};
 use crate::bxdf::optics::metal::{GreyMetal, Metal};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, reflected_direction, sample_reflection};
@@ -46,11 +48,12 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     parameters: &[
         ParamSpec::choice(
             "fresnel",
-            &["conductor", "schlick", "one"],
-            "Reflectance of a facet: exact for a metal of index eta and k, Schlick's approximation from f0, or 1",
+            &["conductor", "schlick", "one", "lazanyi"],
+            "Reflectance of a facet: exact for a metal of index eta and k, Schlick's approximation from f0, 1, or \
+             Schlick's for eta and k with a term that makes it exact at 82 degrees (Lazanyi)",
         ),
-        CONDUCTOR_ETA.relevant_when("fresnel", &["conductor"]),
-        CONDUCTOR_K.relevant_when("fresnel", &["conductor"]),
+        CONDUCTOR_ETA.relevant_when("fresnel", OF_A_METAL),
+        CONDUCTOR_K.relevant_when("fresnel", OF_A_METAL),
         ParamSpec::rgb("f0", [0.9; 3], "Reflectance of a facet at normal incidence")
             .relevant_when("fresnel", &["schlick"]),
         ALPHA_X,
@@ -69,7 +72,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::TWO_WIDTHS
     },
     validate: |params| {
-        if params.choice("fresnel") == "conductor" {
+        if OF_A_METAL.contains(&params.choice("fresnel")) {
             refuse_zero_index(params)
         } else {
             Ok(())
@@ -82,13 +85,25 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     },
     stand_ins: &[
         StandIn {
-            name: "Schlick for exact Fresnel",
-            lost: "The reflectance rises steadily towards the horizon: the dip that a metal has there is gone",
+            name: "Schlick with Lazanyi's term for exact Fresnel",
+            lost: "The reflectance is exact at 0 and 82 degrees alone: good for metals with a dip before the horizon, hardly \
+                   better than Schlick's for the blue of gold",
             replace: |params| {
-                let conductor = params.choice("fresnel") == "conductor";
-                conductor.then(|| approximated(params, "schlick")).flatten()
+                let lazanyi = [("fresnel", Value::Choice("lazanyi"))];
+                is_exact(params).then(|| params.replaced(&lazanyi))?
             },
         },
+        StandIn {
+            name: "Schlick for exact Fresnel",
+            lost: "The reflectance rises steadily towards the horizon: the dip that many metals have there is gone",
+            replace: |params| {
+                let metal = Conductor::new(params.rgb("eta"), params.rgb("k"));
+                let f0 = Value::Rgb(metal.reflectance(1.0));
+                let schlick = [("fresnel", Value::Choice("schlick")), ("f0", f0)];
+                is_exact(params).then(|| params.replaced(&schlick))?
+            },
+        },
+        RATIONAL_MASKING,
         Masking::STAND_IN,
         StandIn {
             name: "Turquin for Kulla-Conty compensation",
@@ -97,7 +112,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             replace: |params| {
                 let is_it = params.choice("compensation") == "kulla_conty";
                 let turquin = [("compensation", Value::Choice("turquin"))];
-                is_it.then(|| params.replaced(&turquin)).flatten()
+                is_it.then(|| params.replaced(&turquin))?
             },
         },
         StandIn {
@@ -138,10 +153,11 @@ const COMPENSATED: &[Lobe] = &[
     Lobe::reflection(Category::Diffuse).named("multiple scattering"),
 ];
 
-/// The metal with an approximation of its reflectance, from that at normal incidence.
-fn approximated(params: &ParamSet, fresnel: &'static str) -> Option<String> {
-    let f0 = Conductor::new(params.rgb("eta"), params.rgb("k")).reflectance(1.0);
-    params.replaced(&[("fresnel", Value::Choice(fresnel)), ("f0", Value::Rgb(f0))])
+/// The choices of `fresnel` that need the index of a metal.
+const OF_A_METAL: &[&str] = &["conductor", "lazanyi"];
+
+fn is_exact(params: &ParamSet) -> bool {
+    params.choice("fresnel") == "conductor"
 }
 
 struct RoughConductor<R, N, F, C> {
@@ -152,12 +168,10 @@ struct RoughConductor<R, N, F, C> {
     precision: PhantomData<R>,
 }
 
-/// Each choice becomes a type, so that each combination is compiled by itself and its loops carry no choice.
+/// Each choice becomes a type, so that each combination is compiled by itself and its loops carry no choice; but not in a
+/// precision that gains nothing by it.
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    match Distribution::from_params(params) {
-        Distribution::Ggx(normals) => build_with_normals(params, normals),
-        Distribution::Beckmann(normals) => build_with_normals(params, normals),
-    }
+    with_normals!(R, params, normals => build_with_normals(params, normals))
 }
 
 fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
@@ -165,27 +179,33 @@ fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> B
     let (Spectrum(eta), Spectrum(k)) = (spectrum("eta"), spectrum("k"));
     let fresnel = match params.choice("fresnel") {
         "schlick" => AnyFresnel::Schlick(Schlick(spectrum("f0"))),
+        "lazanyi" => AnyFresnel::Lazanyi(Lazanyi::new(&Conductor::new(eta, k))),
         "one" => AnyFresnel::One(One),
         _ => AnyFresnel::Conductor(Conductor::new(eta, k)),
     };
     let masking = Masking::from_params(params);
-    match (
-        Compensation::from_params(params, &fresnel, masking),
-        fresnel,
-    ) {
+    if let Some(compensation) = Compensation::from_params(params, &fresnel, masking) {
         // Loops over a table hardly vectorise: here the choice of Fresnel term costs nothing.
-        (Some(compensation), _) => boxed(normals, masking, fresnel, compensation),
-        (None, AnyFresnel::Conductor(fresnel)) => {
-            if let Some(grey) = GreyMetal::new(eta, k) {
-                boxed(normals, masking, grey, Uncompensated)
-            } else if let Some(metal) = Metal::new(eta, k) {
-                boxed(normals, masking, metal, Uncompensated)
-            } else {
-                boxed(normals, masking, fresnel, Uncompensated)
+        return boxed(normals, masking, fresnel, compensation);
+    }
+    if !R::VECTORISES {
+        return boxed(normals, masking, fresnel, Uncompensated);
+    }
+    match fresnel {
+        AnyFresnel::Conductor(exact) => {
+            if R::FUNCTIONS_VECTORISE {
+                if let Some(grey) = GreyMetal::new(eta, k) {
+                    return boxed(normals, masking, grey, Uncompensated);
+                }
+                if let Some(metal) = Metal::new(eta, k) {
+                    return boxed(normals, masking, metal, Uncompensated);
+                }
             }
+            boxed(normals, masking, exact, Uncompensated)
         }
-        (None, AnyFresnel::Schlick(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
-        (None, AnyFresnel::One(fresnel)) => boxed(normals, masking, fresnel, Uncompensated),
+        AnyFresnel::Schlick(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
+        AnyFresnel::Lazanyi(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
+        AnyFresnel::One(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
     }
 }
 

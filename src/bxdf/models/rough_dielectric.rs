@@ -4,7 +4,8 @@
 //! Walter et al. 2007 (`walter2007`), eqs. 19 to 21 and 33 to 38, with the masking of Heitz 2014 (`heitz2014`). Viewed
 //! along wo, with e the index on wi's side over that on wo's, g = wo + wi in reflection and wo + e wi in transmission is
 //! along the microfacet's normal h, and f = F D G2 / (4 mu_o mu_i) or, for radiance,
-//! (1 - F) D G2 |wo.h wi.h| / (mu_o mu_i |g|^2).
+//! (1 - F) D G2 |wo.h wi.h| / (mu_o mu_i |g|^2). F is exact, or Schlick's approximation (`schlick1994`), or that with the term
+//! of Lazanyi & Szirmay-Kalos (`lazanyi2005`), by the cosine on the side of the lower index.
 //!
 //! # Departures
 //! Correlated masking is 1 / (1 + Lambda_o + Lambda_i) across the surface too, as is common; heights that mask one side
@@ -19,9 +20,11 @@
 
 use super::*;
 use crate::bxdf::delta_only::{DeltaOnly, Unscattered};
-use crate::bxdf::microfacet::distribution::DISTRIBUTION;
-use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, ONE_WIDTH, Pair};
-use crate::bxdf::optics::{Spectrum, fresnel};
+use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
+use crate::bxdf::microfacet::refraction::{Facet, upright};
+use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH};
+use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::interface::{self, INTERFACE, Interface, with_interface};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, are_across};
 
@@ -38,6 +41,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     ],
     parameters: &[
         DIELECTRIC_ETA,
+        INTERFACE,
         ALPHA_X,
         ALPHA_Y,
         DISTRIBUTION,
@@ -56,46 +60,45 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         f64: build,
         reference: build,
     },
-    stand_ins: &[Masking::STAND_IN, ONE_WIDTH],
+    stand_ins: &[
+        interface::LAZANYI,
+        interface::SCHLICK,
+        RATIONAL_MASKING,
+        Masking::STAND_IN,
+        ONE_WIDTH,
+    ],
 };
 
-struct RoughDielectric<R, N> {
+struct RoughDielectric<R, N, I> {
     eta: R,
     normals: N,
     masking: Masking,
+    interface: I,
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    match Distribution::from_params(params) {
-        Distribution::Ggx(normals) => build_with(params, normals),
-        Distribution::Beckmann(normals) => build_with(params, normals),
-    }
-}
-
-fn build_with<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
-    let eta = R::of(params.number("eta"));
-    if eta == R::one() {
+    if R::of(params.number("eta")) == R::one() {
         return Box::new(DeltaOnly(Unscattered));
     }
-    Box::new(RoughDielectric {
-        eta,
-        normals,
-        masking: Masking::from_params(params),
+    with_normals!(R, params, normals => {
+        with_interface!(R, params, interface => build_with(params, normals, interface))
     })
 }
 
-/// A facet that turns `wo` into `wi`, in the frame in which `wo` is above.
-struct Facet<R> {
-    pair: Pair<R>,
-    /// Reflectance or transmittance, whichever turns `wo` into `wi`.
-    share: R,
-    /// 4 |wo.h| times the solid angle of h per solid angle of `wi`: 1 in reflection.
-    stretch: R,
-    /// 4 |wo.h wi.h| / |g|^2, the same for f: 1 in reflection.
-    factor: R,
+fn build_with<R: Real>(
+    params: &ParamSet,
+    normals: impl Normals<R>,
+    interface: impl Interface<R>,
+) -> Box<dyn Bxdf<R>> {
+    Box::new(RoughDielectric {
+        eta: R::of(params.number("eta")),
+        normals,
+        masking: Masking::from_params(params),
+        interface,
+    })
 }
 
-impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
+impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
     /// The index on the other side over that on the side of `w`, and that less 1.
     #[inline(always)]
     fn index_across(&self, w: Vec3<R>) -> (R, R) {
@@ -107,69 +110,9 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
         }
     }
 
-    /// The facet at the half vector of two directions: the one that mirrors, or the one that refracts. One root and one
-    /// division serve both.
     #[inline(always)]
     fn facet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Facet<R>> {
-        let (e, e_minus_1) = self.index_across(wo);
-        let is_across = are_across(wo, wi);
-        let (wo, wi) = upright(wo, wi);
-        // wo + e wi; where the index is near 1, the sum of the nearly opposed first.
-        let g = if !is_across {
-            wo + wi
-        } else if e_minus_1.abs() < R::of(0.5) {
-            (wo + wi) + wi * e_minus_1
-        } else {
-            wo + wi * e
-        };
-        let (unit, length) = g.unit_and_length()?;
-        let wh = if unit.z < R::zero() { -unit } else { unit };
-        if is_across {
-            Self::refractor(wo, wi, wh, length, e)
-        } else {
-            Self::mirror(wo, wi, wh, length, e)
-        }
-    }
-
-    /// The facet of unit normal `wh` that mirrors `wo` into `wi`, whose sum has this length.
-    #[inline(always)]
-    fn mirror(wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, length: R, e: R) -> Option<Facet<R>> {
-        if wo.z <= R::zero() || wi.z <= R::zero() {
-            return None;
-        }
-        let pair = Pair {
-            wo,
-            wi,
-            wh,
-            cos_d: (length * R::of(0.5)).at_most(R::one()),
-        };
-        Some(Facet {
-            share: pair.dielectric(e).reflectance,
-            pair,
-            stretch: R::one(),
-            factor: R::one(),
-        })
-    }
-
-    /// The facet of unit normal `wh` that refracts `wo` into `wi`, where wo + e wi has this length.
-    #[inline(always)]
-    fn refractor(wo: Vec3<R>, wi: Vec3<R>, wh: Vec3<R>, length: R, e: R) -> Option<Facet<R>> {
-        let (cos_o, cos_i) = (wo.dot(wh), -wi.dot(wh));
-        if cos_o <= R::zero() || cos_i <= R::zero() {
-            return None;
-        }
-        let jacobian = R::of(4.0) * cos_o * cos_i / (length * length);
-        Some(Facet {
-            pair: Pair {
-                wo,
-                wi,
-                wh,
-                cos_d: cos_o,
-            },
-            share: fresnel::transmittance_between(cos_o, cos_i, e),
-            stretch: jacobian * (e * e),
-            factor: jacobian,
-        })
+        Facet::between(wo, wi, self.index_across(wo), &self.interface)
     }
 
     #[inline(always)]
@@ -234,7 +177,7 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
             return None;
         }
         let tangent = wo - wh * cos;
-        let share = fresnel::dielectric_with_sine(cos, tangent.length_squared(), e);
+        let share = self.interface.with_sine(cos, tangent.length_squared(), e);
         if is_reflected(share.reflectance) {
             let wi = wh * (R::of(2.0) * cos) - wo;
             if wi.z > R::zero() { Some(wi) } else { None }
@@ -249,17 +192,7 @@ impl<R: Real, N: Normals<R>> RoughDielectric<R, N> {
     }
 }
 
-/// `wo` and `wi`, mirrored in the surface where `wo` is below.
-#[inline(always)]
-fn upright<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
-    if wo.z < R::zero() {
-        (wo.mirrored_in_surface(), wi.mirrored_in_surface())
-    } else {
-        (wo, wi)
-    }
-}
-
-impl<R: Real, N: Normals<R>> Bxdf<R> for RoughDielectric<R, N> {
+impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for RoughDielectric<R, N, I> {
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.value_of(self.facet(wo, wi))

@@ -44,9 +44,7 @@ pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
     let one = R::one();
     let c = cos_i.min(one);
     let d = (n - one) * (n + one);
-    // c^2 + d = n^2 - s^2: the sum of the smaller terms, so that neither a small index nor one near 1 cancels.
-    let c2 = c * c;
-    let g_squared = if s2 < c2 { n * n - s2 } else { c2 + d };
+    let g_squared = refracted_squared(c, s2, n);
     let refracts = g_squared > R::zero();
     let g = g_squared.sqrt_clamped();
     let c_plus_g = c + g;
@@ -61,12 +59,8 @@ pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
     let transmittance_p = n_squared * four_c_g / (p_denominator * p_denominator);
     let transmittance = R::of(0.5) * (transmittance_s + transmittance_p);
     if d == R::zero() {
-        // No interface: at extreme grazing c^2 underflows, and the test below would take it for total reflection.
-        Dielectric {
-            reflectance: R::zero(),
-            transmittance: one,
-            cos_t: c,
-        }
+        // At extreme grazing c^2 underflows, and the test below would take it for total reflection.
+        no_interface(c)
     } else if refracts {
         Dielectric {
             reflectance: reflectance.min(one),
@@ -74,12 +68,46 @@ pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
             cos_t: (g / n).min(one),
         }
     } else {
-        Dielectric {
-            reflectance: one,
-            transmittance: R::zero(),
-            cos_t: R::zero(),
-        }
+        total_reflection()
     }
+}
+
+/// What passes between equal indices: all, straight on.
+#[inline(always)]
+pub(super) fn no_interface<R: Real>(cos_i: R) -> Dielectric<R> {
+    Dielectric {
+        reflectance: R::zero(),
+        transmittance: R::one(),
+        cos_t: cos_i,
+    }
+}
+
+/// What becomes of light beyond the critical angle.
+#[inline(always)]
+pub(super) fn total_reflection<R: Real>() -> Dielectric<R> {
+    Dielectric {
+        reflectance: R::one(),
+        transmittance: R::zero(),
+        cos_t: R::zero(),
+    }
+}
+
+/// The square of n times the refracted cosine, not above 0 beyond the critical angle.
+#[inline(always)]
+fn refracted_squared<R: Real>(c: R, s2: R, n: R) -> R {
+    // c^2 + n^2 - 1 = n^2 - s^2: the sum of the smaller terms, so that neither a small index nor one near 1 cancels.
+    let c2 = c * c;
+    if s2 < c2 {
+        n * n - s2
+    } else {
+        c2 + (n - R::one()) * (n + R::one())
+    }
+}
+
+/// The refracted cosine alone, as [`dielectric_with_sine`] gives it; `cos_i` at most 1.
+#[inline(always)]
+pub(super) fn refracted_cosine<R: Real>(cos_i: R, s2: R, n: R) -> R {
+    (refracted_squared(cos_i, s2, n).sqrt_clamped() / n).min(R::one())
 }
 
 /// Dielectric transmittance between two directions that refract into each other, by both their cosines `cos_i` and
@@ -129,6 +157,32 @@ pub fn schlick_rest<R: Real>(cos_i: R) -> R {
     let m = (R::one() - cos_i).at_least(R::zero()).at_most(R::one());
     let m2 = m * m;
     cos_i * (R::one() + m + m2 + m2 * m + m2 * m2)
+}
+
+/// What the error term of Lazanyi & Szirmay-Kalos is in proportion to: c (1 - c)^6, for `cos_i` in 0..1.
+///
+/// # Source
+/// Lazanyi & Szirmay-Kalos 2005, "Fresnel Term Approximations for Metals" (`lazanyi2005`), with the exponent that Hoffman
+/// 2019 gives it for every metal (`hoffman2019`)
+#[inline(always)]
+pub fn lazanyi_term<R: Real>(cos_i: R) -> R {
+    let m = (R::one() - cos_i).at_least(R::zero()).at_most(R::one());
+    let m2 = m * m;
+    cos_i * (m2 * m2 * m2)
+}
+
+/// The cosine at which [`lazanyi_term`] is largest, 1/7 or 81.8 degrees.
+#[inline(always)]
+#[must_use]
+pub fn lazanyi_cosine<R: Real>() -> R {
+    R::one() / R::of(7.0)
+}
+
+/// The factor with which [`lazanyi_term`] is the `excess` of [`schlick`] over the exact reflectance where it is largest, at
+/// [`lazanyi_cosine`].
+#[inline(always)]
+pub fn lazanyi_factor<R: Real>(excess: R) -> R {
+    excess / lazanyi_term(lazanyi_cosine())
 }
 
 #[cfg(test)]

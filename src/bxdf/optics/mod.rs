@@ -4,6 +4,7 @@ pub mod conductor;
 pub mod diffuse_fresnel;
 pub mod facet_fresnel;
 pub mod fresnel;
+pub mod interface;
 pub mod metal;
 pub mod spectrum;
 
