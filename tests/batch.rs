@@ -86,6 +86,20 @@ fn batches_give_what_single_calls_give<R: Precision + Real<Stored = R>>(n: usize
                     assert_eq!(delta[k] == R::one(), sample.is_delta, "{id} {k}");
                 }
             }
+            for index in 0..bxdf.lobes().len() {
+                let job = Job::LobeF {
+                    index,
+                    wo: wo_in,
+                    wi: wi_in,
+                    f: [&mut *r, &mut *g, &mut *b],
+                };
+                bxdf.batch(path, job);
+                for k in 0..n {
+                    let single = bxdf.lobe_f(index, at(&wo, k), at(&wi, k));
+                    let found = Spectrum([r[k], g[k], b[k]]);
+                    assert_eq!(found, single, "{id} lobe {index} {k}");
+                }
+            }
             for (index, is_incident) in
                 (0..bxdf.lobes().len()).flat_map(|i| [(i, false), (i, true)])
             {

@@ -116,31 +116,30 @@ fn numbers_at(
     angles: &[f64],
     is_upper: bool,
 ) -> Vec<Vec<f64>> {
-    let bxdf = lobe.surface();
-    let at = |angle: &f64| {
-        let free = direction(*angle, request.phi);
-        let (wo, wi) = lobe.pair(off_horizon(free, is_upper));
-        let (wo, wi) = (wo.into(), wi.into());
-        let cosine = if request.with_cosine {
-            free.z.abs()
-        } else {
-            1.0
-        };
-        let mut numbers = Vec::with_capacity(FACTORS + 3 * lobe.lobes().len());
-        match bxdf.microfacet(wo, wi) {
+    let free: Vec<_> = angles
+        .iter()
+        .map(|angle| direction(*angle, request.phi))
+        .collect();
+    let lifted: Vec<_> = free.iter().map(|w| off_horizon(*w, is_upper)).collect();
+    let microfacet = |w| {
+        let (wo, wi) = lobe.pair(w);
+        match lobe.surface().microfacet(wo.into(), wi.into()) {
             Some(Microfacet { d, g, fresnel }) => {
-                numbers.extend([1.0, d, g]);
-                numbers.extend(fresnel.to_f64());
+                let [red, green, blue] = fresnel.to_f64();
+                vec![1.0, d, g, red, green, blue]
             }
-            None => numbers.extend([0.0; FACTORS]),
+            None => vec![0.0; FACTORS],
         }
-        for index in 0..lobe.lobes().len() {
-            let value = bxdf.lobe_f(index, wo, wi).to_f64();
+    };
+    let mut numbers: Vec<Vec<f64>> = lifted.iter().copied().map(microfacet).collect();
+    for index in 0..lobe.lobes().len() {
+        let values = lobe.lobe_values(index, &lifted);
+        for ((numbers, value), w) in numbers.iter_mut().zip(values).zip(&free) {
+            let cosine = if request.with_cosine { w.z.abs() } else { 1.0 };
             numbers.extend(value.map(|x| x * cosine));
         }
-        numbers
-    };
-    angles.iter().map(at).collect()
+    }
+    numbers
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::quadrature::{Integral, integrate_square};
-use crate::bxdf::batch::{Directions, Job, Path};
+use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::{Bxdf, Lobe, Side};
 
 /// Which of the two directions is held while the lobe is drawn over the other.
@@ -97,15 +97,36 @@ impl<'a> HeldLobe<'a> {
     /// [`Self::value_or_limit`] for all directions of `free`.
     #[must_use]
     pub fn values_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<[f64; 3]> {
-        let (x, y, z) = lifted(free, is_upper);
-        let free = [&x[..], &y, &z];
-        let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; free[0].len()]);
+        self.each(None, &lifted(free, is_upper))
+    }
+
+    /// f in 1/sr of the inner lobe at `index` alone, with each unit vector of `free` as the other direction.
+    #[must_use]
+    pub fn lobe_values(&self, index: usize, free: &[DVec3]) -> Vec<[f64; 3]> {
+        self.each(Some(index), &components(free.iter().copied()))
+    }
+
+    /// f with each direction of `free`: of one lobe alone, or of all.
+    fn each(
+        &self,
+        lobe: Option<usize>,
+        (x, y, z): &(Vec<f64>, Vec<f64>, Vec<f64>),
+    ) -> Vec<[f64; 3]> {
+        let free = [&x[..], y, z];
+        let held = [self.held.x, self.held.y, self.held.z].map(|w| vec![w; x.len()]);
         let held = held.each_ref().map(Vec::as_slice);
         let (wo, wi) = match self.hold {
             Hold::Light => (free, held),
             Hold::Viewer => (held, free),
         };
-        values(self.bxdf, wo, wi)
+        let mut channels = [(); 3].map(|()| vec![0.0; x.len()]);
+        let f = channels.each_mut().map(Vec::as_mut_slice);
+        let job = match lobe {
+            Some(index) => Job::LobeF { index, wo, wi, f },
+            None => Job::F { wo, wi, f },
+        };
+        self.bxdf.batch(Path::Dispatched, job);
+        triples(&channels)
     }
 
     /// The density in 1/sr with which [`Bxdf::sample_f`] draws each direction of `free` for the held one in wo's place,
@@ -240,14 +261,13 @@ pub fn pair_values(bxdf: &dyn Bxdf<f64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 
         components(pairs.iter().map(|pair| pair.0)),
         components(pairs.iter().map(|pair| pair.1)),
     ];
-    values(bxdf, [&wo.0, &wo.1, &wo.2], [&wi.0, &wi.1, &wi.2])
-}
-
-/// f of `bxdf` at all pairs of `wo` and `wi`.
-fn values(bxdf: &dyn Bxdf<f64>, wo: Directions<'_, f64>, wi: Directions<'_, f64>) -> Vec<[f64; 3]> {
-    let mut channels = [(); 3].map(|()| vec![0.0; wo[0].len()]);
-    let f = channels.each_mut().map(Vec::as_mut_slice);
-    bxdf.batch(Path::Dispatched, Job::F { wo, wi, f });
+    let mut channels = [(); 3].map(|()| vec![0.0; pairs.len()]);
+    let job = Job::F {
+        wo: [&wo.0, &wo.1, &wo.2],
+        wi: [&wi.0, &wi.1, &wi.2],
+        f: channels.each_mut().map(Vec::as_mut_slice),
+    };
+    bxdf.batch(Path::Dispatched, job);
     triples(&channels)
 }
 

@@ -93,6 +93,11 @@ impl<R: Real> Bxdf<R> for Rotated<R> {
                 let (wo, wi) = (wo.directions(), wi.directions());
                 self.inner.batch(path, Job::FPdf { wo, wi, f, pdf });
             }
+            Job::LobeF { index, wo, wi, f } => {
+                let (wo, wi) = (self.all_local(wo), self.all_local(wi));
+                let (wo, wi) = (wo.directions(), wi.directions());
+                self.inner.batch(path, Job::LobeF { index, wo, wi, f });
+            }
             Job::Sample {
                 wo,
                 uc,

@@ -32,14 +32,31 @@ impl<R: Real> Kernel<R, 6, 3> for Values {
         [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
         [r, g, b]: [&mut Block<R::Stored>; 3],
     ) {
-        values(bxdf, [ox, oy, oz], [ix, iy, iz], r, g, b);
+        let f = |wo, wi| bxdf.f(wo, wi);
+        values(f, [ox, oy, oz], [ix, iy, iz], r, g, b);
+    }
+}
+
+/// The value of one lobe, that at this index, for each pair.
+pub(super) struct LobeValues(pub(super) usize);
+
+impl<R: Real> Kernel<R, 6, 3> for LobeValues {
+    #[inline(always)]
+    fn block<B: Bxdf<R> + ?Sized>(
+        &self,
+        bxdf: &B,
+        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
+        [r, g, b]: [&mut Block<R::Stored>; 3],
+    ) {
+        let f = |wo, wi| bxdf.lobe_f(self.0, wo, wi);
+        values(f, [ox, oy, oz], [ix, iy, iz], r, g, b);
     }
 }
 
 /// Each block that is written is an argument of its own: so the compiler knows that no two of them overlap.
 #[inline(always)]
-fn values<R: Real, B: Bxdf<R> + ?Sized>(
-    bxdf: &B,
+fn values<R: Real>(
+    f: impl Fn(Vec3<R>, Vec3<R>) -> Spectrum<R>,
     wo: [&Block<R::Stored>; 3],
     wi: [&Block<R::Stored>; 3],
     r: &mut Block<R::Stored>,
@@ -48,7 +65,7 @@ fn values<R: Real, B: Bxdf<R> + ?Sized>(
 ) {
     let out = r.iter_mut().zip(g).zip(b);
     for ((wo, wi), ((r, g), b)) in directions(wo).zip(directions(wi)).zip(out) {
-        let Spectrum(f) = bxdf.f(wo, wi);
+        let Spectrum(f) = f(wo, wi);
         [*r, *g, *b] = f.map(R::store);
     }
 }

@@ -11,7 +11,9 @@ use fearless_simd::Simd;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd_macros::simd;
 
-use kernels::{BLOCK, Block, Densities, Kernel, LobeSamples, Samples, Values, ValuesAndDensities};
+use kernels::{
+    BLOCK, Block, Densities, Kernel, LobeSamples, LobeValues, Samples, Values, ValuesAndDensities,
+};
 
 use super::Bxdf;
 use super::math::Real;
@@ -55,6 +57,17 @@ pub enum Job<'a, R> {
         f: TripleMut<'a, R>,
         /// In 1/sr.
         pdf: &'a mut [R],
+    },
+    /// The value of one lobe alone: [`Bxdf::lobe_f`].
+    LobeF {
+        /// The lobe: an index of [`Bxdf::lobes`].
+        index: usize,
+        /// The outgoing directions.
+        wo: Directions<'a, R>,
+        /// The incident directions.
+        wi: Directions<'a, R>,
+        /// In 1/sr.
+        f: TripleMut<'a, R>,
     },
     /// Samples, as [`Bxdf::sample_f`] draws them.
     Sample {
@@ -100,7 +113,7 @@ impl<R> Job<'_, R> {
             lengths.min().unwrap_or(0)
         };
         match self {
-            Self::F { wo, wi, f } => shortest(&pairs(*wo, *wi), f),
+            Self::F { wo, wi, f } | Self::LobeF { wo, wi, f, .. } => shortest(&pairs(*wo, *wi), f),
             Self::Pdf { wo, wi, pdf } => shortest(&pairs(*wo, *wi), &[]).min(pdf.len()),
             Self::FPdf { wo, wi, f, pdf } => shortest(&pairs(*wo, *wi), f).min(pdf.len()),
             Self::Sample {
@@ -194,6 +207,7 @@ fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
             let kernel = ValuesAndDensities;
             in_blocks(&kernel, bxdf, pairs(wo, wi), [r, g, b, pdf]);
         }
+        Job::LobeF { index, wo, wi, f } => in_blocks(&LobeValues(index), bxdf, pairs(wo, wi), f),
         Job::Sample {
             wo,
             uc,

@@ -39,12 +39,29 @@ pub(super) fn run_mixture<R: Real>(mixture: &Mixture<R>, path: Path, job: Job<'_
                 weight: [&mut *r, &mut *g, &mut *b],
             };
             part.bxdf.batch(path, inner);
-            for channel in [r, g, b] {
-                for value in channel.iter_mut().take(n) {
-                    *value = (R::load(*value) * part.weight).store();
-                }
-            }
+            scale([r, g, b], n, part.weight);
         }
+        Job::LobeF { index, wo, wi, f } => {
+            let Some((part, index)) = mixture.lobe(index) else {
+                return;
+            };
+            let [r, g, b] = f;
+            let inner = Job::LobeF {
+                index,
+                wo,
+                wi,
+                f: [&mut *r, &mut *g, &mut *b],
+            };
+            part.bxdf.batch(path, inner);
+            scale([r, g, b], n, part.weight);
+        }
+    }
+}
+
+/// The first `n` of each channel times `weight`.
+fn scale<R: Real>(channels: TripleMut<'_, R::Stored>, n: usize, weight: R) {
+    for value in channels.into_iter().flat_map(|c| c.iter_mut().take(n)) {
+        *value = (R::load(*value) * weight).store();
     }
 }
 
