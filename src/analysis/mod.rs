@@ -1,6 +1,7 @@
 //! What each view shows, as data: one file per view, without a window.
 
 pub mod cartesian;
+mod chart;
 pub mod decomposition;
 pub mod half_difference;
 pub mod hemisphere;

@@ -177,7 +177,7 @@ impl Patch {
                 .map(|pdf| [pdf * solid_angle, 0.0, 0.0])
                 .collect()
         };
-        let integral = integrate_square(values, tolerance, MAX_EVALUATIONS);
+        let integral = integrate_square(&values, tolerance, MAX_EVALUATIONS);
         let [share, ..] = integral.value;
         [share, integral.error]
     }
