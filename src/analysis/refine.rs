@@ -11,6 +11,10 @@ const NARROWEST: f64 = 5e-8;
 /// A curve stops growing at this many points; a lobe needs some hundreds.
 const MAX_POINTS: usize = 20_000;
 
+/// Of the places where something is known to be, at most about this many are looked at to begin with: some stand in
+/// each lobe, however narrow, and halving finds the rest.
+const MAX_KNOWN: usize = 160;
+
 /// Places and values, by place.
 pub(super) type Curve<V> = Vec<(f64, V)>;
 
@@ -23,12 +27,12 @@ pub(super) fn first_places(
 ) -> Vec<f64> {
     let [low, high] = range;
     let uniform = (0..=steps).map(|i| low + (high - low) * (f64::from(i) / f64::from(steps)));
-    let known = known.into_iter();
     // What all but coincides with an end would take its place.
-    let mut places: Vec<f64> = known
-        .filter(|place| place - low >= NARROWEST && high - place >= NARROWEST)
-        .chain(uniform)
-        .collect();
+    let is_inside = |place: &f64| place - low >= NARROWEST && high - place >= NARROWEST;
+    let mut known: Vec<f64> = known.into_iter().filter(is_inside).collect();
+    known.sort_by(f64::total_cmp);
+    let every = known.len().div_ceil(MAX_KNOWN).max(1);
+    let mut places: Vec<f64> = known.into_iter().step_by(every).chain(uniform).collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| *a - *b < NARROWEST);
     places

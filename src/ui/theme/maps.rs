@@ -1,5 +1,7 @@
 //! Colours made of numbers: colour maps, radiance, tints.
 
+use std::sync::LazyLock;
+
 use egui::Color32;
 
 use super::Rgba;
@@ -32,18 +34,40 @@ pub fn rgba(color: Color32, alpha: u8) -> Rgba {
     [r, g, b, alpha]
 }
 
+/// A colour map as a table: pictures look up each of their pixels.
+struct Table([[u8; 3]; Self::STEPS + 1]);
+
+impl Table {
+    /// Steps of the table: four to each of the 256 tones of a channel.
+    const STEPS: usize = 1024;
+
+    fn of(gradient: colorous::Gradient) -> Self {
+        let color = |index| {
+            let color = gradient.eval_continuous(index as f64 / Self::STEPS as f64);
+            [color.r, color.g, color.b]
+        };
+        Self(std::array::from_fn(color))
+    }
+
+    fn at(&self, t: f64) -> [u8; 3] {
+        let index = (t.clamp(0.0, 1.0) * Self::STEPS as f64).round() as usize;
+        self.0.get(index).copied().unwrap_or_default()
+    }
+}
+
 /// The perceptual colour map of values: viridis. `t`: 0..1, clamped.
 #[must_use]
 pub fn viridis(t: f64) -> Rgba {
-    let color = colorous::VIRIDIS.eval_continuous(t.clamp(0.0, 1.0));
-    [color.r, color.g, color.b, 255]
+    static TABLE: LazyLock<Table> = LazyLock::new(|| Table::of(colorous::VIRIDIS));
+    let [r, g, b] = TABLE.at(t);
+    [r, g, b, 255]
 }
 
 /// The colour map of signed differences: neutral in the middle, red below and blue above. `t`: 0..1, clamped.
 #[must_use]
 pub fn diverging_color(t: f64) -> Color32 {
-    let color = colorous::RED_BLUE.eval_continuous(t.clamp(0.0, 1.0));
-    rgb([color.r, color.g, color.b])
+    static TABLE: LazyLock<Table> = LazyLock::new(|| Table::of(colorous::RED_BLUE));
+    rgb(TABLE.at(t))
 }
 
 /// [`viridis`] as egui takes it.
