@@ -33,7 +33,7 @@ impl Family for Resolutions {
     }
 
     fn title(&self) -> &'static str {
-        "Resolution of what is drawn"
+        "Resolution"
     }
 
     fn cost_unit(&self) -> CostUnit {

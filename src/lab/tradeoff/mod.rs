@@ -6,6 +6,7 @@
 
 mod advice;
 mod bench;
+mod channels;
 mod errors;
 mod estimators;
 mod front;
@@ -63,10 +64,11 @@ pub trait Family: Sync {
 }
 
 /// Every family, in the order in which they are measured and shown.
-pub static FAMILIES: [&dyn Family; 4] = [
+pub static FAMILIES: [&dyn Family; 5] = [
     &estimators::Estimators,
     &precision::Precisions,
     &stand_ins::StandIns,
+    &channels::Channels,
     &mesh::Resolutions,
 ];
 

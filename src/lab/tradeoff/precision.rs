@@ -18,7 +18,7 @@ impl Family for Precisions {
     }
 
     fn title(&self) -> &'static str {
-        "Precision of numbers"
+        "Precision"
     }
 
     fn cost_unit(&self) -> CostUnit {
@@ -118,6 +118,11 @@ impl<R: Precision + Real<Stored = R>> Batch<R> {
         bxdf.batch(path, job);
         std::hint::black_box(&self.f);
     }
+
+    /// What [`Self::run`] found last, channel by channel.
+    pub(super) fn values(&self) -> &[Vec<R>; 3] {
+        &self.f
+    }
 }
 
 /// f of `bxdf` in 1/sr at `pairs`, evaluated in `R`.
@@ -128,7 +133,11 @@ pub(super) fn values_in<R: Precision + Real<Stored = R>>(
 ) -> Vec<[f64; 3]> {
     let mut batch = Batch::new(pairs);
     batch.run(bxdf, path);
-    let [r, g, b] = &batch.f;
+    by_pair(batch.values())
+}
+
+/// Values by channel as values by pair.
+pub(super) fn by_pair<R: Real>([r, g, b]: &[Vec<R>; 3]) -> Vec<[f64; 3]> {
     let channels = r.iter().zip(g).zip(b);
     channels
         .map(|((r, g), b)| [r, g, b].map(|x| x.as_f64()))

@@ -23,7 +23,7 @@ impl Family for StandIns {
     }
 
     fn title(&self) -> &'static str {
-        "Stand-ins for terms and lobes"
+        "Stand-ins"
     }
 
     fn cost_unit(&self) -> CostUnit {

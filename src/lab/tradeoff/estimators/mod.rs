@@ -53,7 +53,7 @@ impl Family for Estimators {
     }
 
     fn title(&self) -> &'static str {
-        "Estimators of the reflectance"
+        "Estimators"
     }
 
     fn cost_unit(&self) -> CostUnit {

@@ -1,0 +1,126 @@
+//! Optical constants of substances by wavelength: the tables of `assets/ior`.
+
+use std::sync::LazyLock;
+
+use include_dir::{Dir, include_dir};
+
+use super::table::Table;
+use crate::bxdf::Component;
+use crate::bxdf::param::Value;
+
+/// The files. Their folder is the one list of them.
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/ior");
+
+static ALL: LazyLock<Vec<Constants>> = LazyLock::new(|| {
+    let mut all: Vec<Constants> = FILES.files().filter_map(Constants::read).collect();
+    all.sort_by_key(|constants| constants.id);
+    all
+});
+
+/// Dominant wavelengths of the BT.709 primaries in nm: where a metal's R, G and B are read.
+pub const CHANNELS_NM: [f64; 3] = [611.4, 549.1, 464.2];
+
+/// The index of refraction and the extinction coefficient of a substance.
+#[derive(Clone, Debug)]
+pub struct Constants {
+    /// The name of its file without `.csv`.
+    pub id: &'static str,
+    table: Table,
+}
+
+impl Constants {
+    /// `None` where it is no table; a test reads every file.
+    fn read(file: &include_dir::File<'static>) -> Option<Self> {
+        let id = file.path().file_stem()?.to_str()?;
+        if file.path().extension()? != "csv" {
+            return None;
+        }
+        let table = Table::parse(id, file.contents_utf8()?).ok()?;
+        Some(Self { id, table })
+    }
+
+    /// n and k of n + ik at `nm`, interpolated linearly; the nearer end's outside the table.
+    #[must_use]
+    pub fn at(&self, nm: f64) -> [f64; 2] {
+        self.table.at(nm)
+    }
+
+    /// The first and the last wavelength in nm.
+    #[must_use]
+    pub fn range_nm(&self) -> [f64; 2] {
+        self.table.range_nm()
+    }
+
+    /// Those whose n and k at [`CHANNELS_NM`] are `eta` and `k` of `component`; `None` where it has no such parameters, or
+    /// no table has these values.
+    #[must_use]
+    pub fn of(component: &Component) -> Option<&'static Self> {
+        let params = component.params();
+        let value = |name: &str| {
+            let mut named = params.iter();
+            named
+                .find(|(spec, _)| spec.name == name && params.is_relevant(spec))
+                .map(|(_, value)| value)
+        };
+        let (Some(Value::Rgb(eta)), Some(Value::Rgb(k))) = (value("eta"), value("k")) else {
+            return None;
+        };
+        ALL.iter().find(|constants| constants.gives(eta, k))
+    }
+
+    /// Whether n and k at [`CHANNELS_NM`] are `eta` and `k`, in four significant digits.
+    #[must_use]
+    pub fn gives(&self, eta: [f64; 3], k: [f64; 3]) -> bool {
+        let given = eta.into_iter().zip(k);
+        CHANNELS_NM.into_iter().zip(given).all(|(nm, (eta, k))| {
+            let [n, extinction] = self.at(nm);
+            agrees(eta, n) && agrees(k, extinction)
+        })
+    }
+}
+
+/// The constants of the substance with this id: a file of `assets/ior` without its ending.
+#[must_use]
+pub fn find(id: &str) -> Option<&'static Constants> {
+    ALL.iter().find(|constants| constants.id == id)
+}
+
+/// Whether `given` is `exact` in four significant digits.
+#[must_use]
+pub fn agrees(given: f64, exact: f64) -> bool {
+    if exact == 0.0 {
+        return given == 0.0;
+    }
+    let unit = 10_f64.powf(exact.abs().log10().floor() - 3.0);
+    // Half a unit of the last digit; the rest is for rounding in this comparison.
+    (given - exact).abs() <= 0.5001 * unit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bxdf::material::library;
+
+    #[test]
+    fn every_table_is_read() {
+        let is_table =
+            |file: &&include_dir::File<'_>| file.path().extension().is_some_and(|end| end == "csv");
+        let count = FILES.files().filter(is_table).count();
+        assert!(count >= 20 && ALL.len() == count, "{count} {}", ALL.len());
+    }
+
+    #[test]
+    fn metals_are_known_by_their_indices() {
+        let of = |id: &str| {
+            let material = &library::find(id).unwrap().material;
+            let component = material.components().first().unwrap();
+            Constants::of(component).map(|constants| constants.id)
+        };
+        assert_eq!(
+            [of("gold"), of("copper"), of("chalk")],
+            [Some("gold"), Some("copper"), None]
+        );
+        assert!(agrees(0.2224, 0.222_449) && !agrees(0.2224, 0.222_46));
+        assert!(agrees(0.0, 0.0) && !agrees(0.1, 0.0));
+    }
+}
