@@ -185,6 +185,8 @@ fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
         session.theta_deg = theta_deg;
         session.phi_deg = wrapped_deg(phi_deg);
     }
+    // Nobody is there to press the button.
+    session.views.tradeoff.is_immediate = true;
     Ok(session)
 }
 

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::jobs::{Answer, Clock, Jobs, Slot};
+use super::measured::Measured;
 use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Session};
 use crate::analysis::lobe::Arrow;
@@ -134,6 +135,8 @@ pub struct Data {
     awaited_since: Option<f64>,
     /// The least detailed of the answers of this frame.
     shown: Option<Detail>,
+    /// The trade-off of the material last measured.
+    pub tradeoff: Measured,
 }
 
 impl Data {
@@ -149,6 +152,7 @@ impl Data {
             last_update: None,
             awaited_since: None,
             shown: Some(Detail::Full),
+            tradeoff: Measured::new(clock.is_some()),
         }
     }
 

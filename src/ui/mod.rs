@@ -8,6 +8,7 @@ pub mod format;
 pub mod headless;
 pub mod history;
 pub mod jobs;
+pub mod measured;
 pub mod memo;
 pub mod platform;
 pub mod scene3d;

@@ -14,12 +14,18 @@ pub fn seconds() -> f64 {
 /// How many workers there may be: one for each core but the one that draws; none in a browser.
 #[must_use]
 pub fn workers() -> usize {
-    if cfg!(target_arch = "wasm32") {
-        0
-    } else {
+    if has_threads() {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         cores.saturating_sub(1).max(1)
+    } else {
+        0
     }
+}
+
+/// Whether there are threads.
+#[must_use]
+pub const fn has_threads() -> bool {
+    !cfg!(target_arch = "wasm32")
 }
 
 /// Starts a thread; whether it could be started.

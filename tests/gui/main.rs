@@ -21,12 +21,15 @@ use std::path::PathBuf;
 
 use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
+use brdf_explorer::lab::timing::NoClock;
+use brdf_explorer::lab::tradeoff::FAMILIES;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
 use brdf_explorer::ui::session::{Materials, Session};
 use brdf_explorer::ui::views as all_views;
 use egui::Theme;
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 
 /// A folder of its own, removed in the end.
 struct Folder(PathBuf);
@@ -55,12 +58,28 @@ fn material(text: &str) -> Material {
     library::find(text).map_or_else(|_| text.parse().unwrap(), |named| named.material.clone())
 }
 
+/// The families of the trade-off that are measured here: those that take no long time without optimisation.
+const QUICK_FAMILIES: [&str; 2] = ["precision", "stand_ins"];
+
 /// The start, showing these materials; the first one is selected.
 fn session(shown: &[&str]) -> Session {
     let materials = shown.iter().map(|text| material(text)).collect();
-    Session {
+    let mut session = Session {
         materials: Materials::new(materials).unwrap(),
         ..Session::default()
+    };
+    let ids = FAMILIES.iter().map(|family| family.id());
+    let slow = ids.filter(|id| !QUICK_FAMILIES.contains(id));
+    session.views.tradeoff.left_out = slow.map(str::to_owned).collect();
+    session
+}
+
+/// Measures the trade-off, where it is shown, as if each thing took as long as it is large.
+fn measure_tradeoff(harness: &mut Harness<'_, App>) {
+    harness.state_mut().use_stopwatch(&NoClock);
+    if let Some(button) = harness.query_by_label("Measure") {
+        button.click();
+        harness.run();
     }
 }
 

@@ -11,7 +11,7 @@ use eframe::egui_wgpu::wgpu;
 use egui::{Key, Modifiers, Theme};
 use egui_kittest::{Harness, SnapshotOptions, SnapshotResults, try_image_snapshot_options};
 
-use super::{picture, session};
+use super::{measure_tradeoff, picture, session};
 
 /// What each view shows: one model of each category, with parameters that show it well, and several materials.
 static SHOWN: [(&str, &[&str]); 5] = [
@@ -50,12 +50,13 @@ const COMPARED: [&str; 3] = ["car_paint", super::badges::BRIGHT, "rough_conducto
 type Window = (&'static str, &'static [&'static str], usize, [u32; 2], f32);
 
 /// The start, the named materials with one of several lobes chosen, and comparisons in every size that must do.
-const WINDOWS: [Window; 5] = [
+const WINDOWS: [Window; 6] = [
     ("window", &["rough_conductor"], 0, [1280, 800], 1.0),
     ("materials", &["car_paint"], 0, [1280, 800], 1.0),
     ("three", &THREE, 0, [1280, 800], 1.0),
     ("eight", &EIGHT, 0, [1024, 640], 2.0),
     ("compare", &COMPARED, 1, [1024, 640], 1.0),
+    ("tradeoff", &["gold"], 3, [1280, 800], 1.0),
 ];
 
 /// The limit on the stored pictures, all together.
@@ -93,7 +94,9 @@ const ABOVE: [(&str, Modifiers, Key); 2] = [
 ];
 
 fn compare(results: &mut SnapshotResults, name: &str, picture: Picture) {
-    compare_shown(results, name, &mut picture.harness().unwrap());
+    let mut shown = picture.harness().unwrap();
+    measure_tradeoff(&mut shown);
+    compare_shown(results, name, &mut shown);
 }
 
 fn compare_shown(results: &mut SnapshotResults, name: &str, shown: &mut Harness<'_, App>) {

@@ -9,7 +9,7 @@ use egui::{Pos2, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::{picture, session};
+use super::{measure_tradeoff, picture, session};
 
 const SIZE: [u32; 2] = [640, 480];
 
@@ -58,6 +58,14 @@ fn click_at(harness: &mut Harness<'_, App>, place: Pos2) {
     harness.run();
 }
 
+/// Whether a text with `part` in it is painted.
+fn paints(harness: &Harness<'_, App>, part: &str) -> bool {
+    let shapes = harness.output().shapes.iter();
+    shapes
+        .map(|clipped| &clipped.shape)
+        .any(|shape| matches!(shape, egui::Shape::Text(text) if text.galley.text().contains(part)))
+}
+
 #[test]
 fn a_view_with_nothing_to_show_says_why() {
     for view in &VIEWS {
@@ -67,8 +75,9 @@ fn a_view_with_nothing_to_show_says_why() {
             .iter_mut()
             .for_each(|entry| entry.is_visible = false);
         let harness = alone(hidden, view.id);
-        // The lobes are meshes and the inspector is a table: these two show their frames.
-        if !["polar", "lobe3d", "inspector"].contains(&view.id) {
+        // The lobes are meshes and the inspector is a table: they show their frames; the trade-off measures the selected
+        // material, shown or not.
+        if !["polar", "lobe3d", "inspector", "tradeoff"].contains(&view.id) {
             assert!(
                 harness.query_by_label("Every material is hidden").is_some(),
                 "{}",
@@ -213,4 +222,51 @@ fn parts_plots_and_factors_are_chosen() {
     choose(&mut harness, "Into", "D, G, F");
     let line = "No microfacet model among them: only those have D, G and F";
     assert!(harness.query_by_label(line).is_some());
+}
+
+#[test]
+fn the_tradeoff_is_measured_when_asked_for_and_its_tolerance_is_dragged() {
+    let mut harness = alone(session(&["gold"]), "tradeoff");
+    assert!(harness.query_by_label("The material as a whole").is_none());
+    measure_tradeoff(&mut harness);
+    assert!(harness.query_by_label("The material as a whole").is_some());
+    let before = harness.state().session.views.tradeoff.tolerance;
+    let handle = harness
+        .get_by_label("Line of the tolerance")
+        .rect()
+        .center();
+    let frame = canvas(&harness, "Trade-off");
+    drag(
+        &mut harness,
+        "Line of the tolerance",
+        handle + vec2(0.0, 0.2 * frame.height()),
+    );
+    let after = harness.state().session.views.tradeoff.tolerance;
+    assert!(after < 0.5 * before, "{before} {after}");
+}
+
+#[test]
+fn a_choice_of_the_tradeoff_becomes_a_material_that_is_compared() {
+    let mut harness = alone(session(&["gold"]), "tradeoff");
+    measure_tradeoff(&mut harness);
+    let frame = canvas(&harness, "Trade-off");
+    // The marks are found as by hand: where the pointer reads one out that loses something.
+    let places = (0..).map(|i| frame.min + vec2(5.0 * (i / 60) as f32, 5.0 * (i % 60) as f32));
+    let places = places.take_while(|place| place.x < frame.max.x);
+    let mark = places.filter(|place| frame.contains(*place)).find(|place| {
+        harness.hover_at(*place);
+        harness.run();
+        paints(&harness, "\nlost: ")
+    });
+    click_at(&mut harness, mark.unwrap());
+    let session = &harness.state().session;
+    let materials = &session.materials;
+    assert_eq!(materials.iter().count(), 2);
+    assert!(
+        materials.title(materials.selected()).starts_with("Gold: "),
+        "{}",
+        materials.title(materials.selected())
+    );
+    assert_eq!(materials.title(materials.reference()), "Gold");
+    assert_eq!(session.views.hemisphere.comparison, Comparison::Difference);
 }

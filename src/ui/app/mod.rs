@@ -19,6 +19,7 @@ use super::widgets::search::{Outcome, Search};
 use super::widgets::{badges, directions, help, layouts, options, status};
 use super::{commands, scene3d};
 use crate::analysis::Detail;
+use crate::lab::timing::Stopwatch;
 use export::Exports;
 use files::Files;
 
@@ -97,6 +98,11 @@ impl App {
     #[must_use]
     pub fn shown(&self) -> Option<Detail> {
         self.data.shown()
+    }
+
+    /// Measures trade-offs with another clock: pictures that are to be the same twice need one that does not run.
+    pub fn use_stopwatch(&mut self, stopwatch: &'static dyn Stopwatch) {
+        self.data.tradeoff.use_stopwatch(stopwatch);
     }
 
     /// The picture behind a texture, if it is one of the views'.

@@ -7,6 +7,7 @@ use crate::analysis::polar::Point;
 use crate::analysis::slice;
 use crate::bxdf::Side;
 use crate::error::{Error, Result};
+use crate::lab::tradeoff::table::{COLUMNS, rows as tradeoff_rows};
 use crate::ui::data::Data;
 use crate::ui::session::{MaterialEntry, Session};
 
@@ -331,4 +332,18 @@ pub fn decomposition(session: &Session, data: &mut Data) -> Table {
         }
     }
     table
+}
+
+/// The points of the trade-off, measured if they are not yet.
+#[must_use]
+pub fn tradeoff(session: &Session, data: &mut Data) -> Table {
+    if !data.tradeoff.is_of(session) {
+        data.tradeoff.start(session, || {});
+    }
+    let report = data.tradeoff.report();
+    let rows = report.iter().flat_map(|report| tradeoff_rows(report));
+    Table {
+        columns: COLUMNS.to_vec(),
+        rows: rows.map(|row| row.map(Value::Text).to_vec()).collect(),
+    }
 }

@@ -93,7 +93,7 @@ pub struct ReadyLayout {
 }
 
 /// The ready layouts, in the order of the menu; the first one is that of the start.
-pub static READY_LAYOUTS: [ReadyLayout; 4] = [
+pub static READY_LAYOUTS: [ReadyLayout; 5] = [
     ReadyLayout {
         name: "Teach",
         meaning: "The section and the lobe side by side, as large as they go: for the screen in front of a class",
@@ -126,6 +126,23 @@ pub static READY_LAYOUTS: [ReadyLayout; 4] = [
                     Layout::view("decomposition"),
                 ]),
                 Layout::column(vec![Layout::view("sphere"), Layout::view("slice")]),
+            ])
+        },
+    },
+    ReadyLayout {
+        name: "Trade-off",
+        meaning: "What accuracy costs, and where the cheaper choice goes wrong",
+        layout: || {
+            let beside = Layout::column(vec![Layout::view("hemisphere"), Layout::view("polar")]);
+            Layout::Row(vec![
+                Part {
+                    share: 2.0,
+                    place: Layout::view("tradeoff"),
+                },
+                Part {
+                    share: 1.0,
+                    place: beside,
+                },
             ])
         },
     },

@@ -24,6 +24,8 @@ pub struct ViewOptions {
     pub sampling: SamplingOptions,
     /// Of the decomposition.
     pub decomposition: DecompositionOptions,
+    /// Of the trade-off.
+    pub tradeoff: TradeoffOptions,
 }
 
 /// Declares an enum of words a view can be set to, with their titles.
@@ -274,4 +276,26 @@ pub struct DecompositionOptions {
     pub is_stacked: bool,
     /// Whether values go by decades.
     pub is_logarithmic: bool,
+}
+
+/// How the trade-off of cost and error is measured and shown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct TradeoffOptions {
+    /// The largest error that is good enough: relative, root mean square.
+    pub tolerance: f64,
+    /// The ids of the families that are not wanted.
+    pub left_out: Vec<String>,
+    /// Whether a material is measured as soon as it is shown; else when asked for.
+    pub is_immediate: bool,
+}
+
+impl Default for TradeoffOptions {
+    fn default() -> Self {
+        Self {
+            tolerance: 0.01,
+            left_out: Vec::new(),
+            is_immediate: false,
+        }
+    }
 }

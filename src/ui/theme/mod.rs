@@ -75,6 +75,14 @@ pub const HATCH_STEP: f32 = 5.0;
 pub const HATCH_WIDTH: f32 = 1.5;
 /// Width of the curve of a lobe.
 pub const CURVE_WIDTH: f32 = 2.0;
+/// Width of the line of a Pareto front.
+pub const FRONT_WIDTH: f32 = 1.0;
+/// In a room wider than this, in points, advice stands beside the plot; and how wide it is there.
+pub const ADVICE_BESIDE: f32 = 620.0;
+/// See [`ADVICE_BESIDE`].
+pub const ADVICE_WIDTH: f32 = 240.0;
+/// The width of a bar of progress, in points.
+pub const PROGRESS_WIDTH: f32 = 130.0;
 /// Radius of a handle that can be dragged.
 pub const HANDLE_RADIUS: f32 = 7.0;
 /// Alpha of a lobe one sees through, 0..255.

@@ -195,9 +195,19 @@ impl Palette {
     /// The colour of a material.
     #[must_use]
     pub fn material(&self, slot: Slot) -> Color32 {
+        self.kind(usize::from(slot.0))
+    }
+
+    /// The colour of things of a kind that are no materials, where there are several kinds.
+    #[must_use]
+    pub fn kind(&self, index: usize) -> Color32 {
         let [first, ..] = self.materials;
-        let mut colors = self.materials.iter().copied().cycle();
-        colors.nth(usize::from(slot.0)).unwrap_or(first)
+        self.materials
+            .iter()
+            .copied()
+            .cycle()
+            .nth(index)
+            .unwrap_or(first)
     }
 
     /// The colour of a channel's curve; the luminance has that of its material.

@@ -29,6 +29,7 @@ mod reflectance;
 mod sampling;
 mod slice;
 mod sphere;
+mod tradeoff;
 
 /// A view of the session.
 pub struct ViewSpec {
@@ -60,7 +61,7 @@ impl ViewSpec {
 }
 
 /// Every view, in the order of the window.
-pub static VIEWS: [ViewSpec; 10] = [
+pub static VIEWS: [ViewSpec; 11] = [
     polar::SPEC,
     lobe3d::SPEC,
     cartesian::SPEC,
@@ -70,6 +71,7 @@ pub static VIEWS: [ViewSpec; 10] = [
     sphere::SPEC,
     sampling::SPEC,
     decomposition::SPEC,
+    tradeoff::SPEC,
     inspector::SPEC,
 ];
 
@@ -106,6 +108,7 @@ pub struct ViewState {
     kept_lower_half: Option<bool>,
     textures: Textures,
     contours: HashMap<EntryId, Memo<(Same<Map>, ColorScale), Lines>>,
+    chosen: tradeoff::Chosen,
 }
 
 /// Lines of equal value, as places of a picture.

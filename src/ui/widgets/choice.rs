@@ -12,19 +12,27 @@ pub fn keep_together(ui: &mut Ui, width: f32) {
 }
 
 /// The width of a word in points.
-fn width_of(ui: &Ui, text: &str) -> f32 {
-    let font = egui::TextStyle::Body.resolve(ui.style());
+fn width_of(ui: &Ui, text: &str, style: &egui::TextStyle) -> f32 {
+    let font = style.resolve(ui.style());
     let galley = ui
         .painter()
         .layout_no_wrap(text.to_owned(), font, ui.visuals().text_color());
     galley.size().x
 }
 
+/// The width of a switch with a small `text`, in points.
+#[must_use]
+pub fn small_switch_width(ui: &Ui, text: &str) -> f32 {
+    let spacing = ui.spacing();
+    let icon = spacing.icon_width + spacing.icon_spacing;
+    icon + width_of(ui, text, &egui::TextStyle::Small) + spacing.item_spacing.x
+}
+
 /// The width of a drop-down that shows `text`, in points.
 fn combo_width(ui: &Ui, text: &str) -> f32 {
     let spacing = ui.spacing();
     let icon = spacing.icon_width + spacing.icon_spacing;
-    let inside = (width_of(ui, text) + icon).max(theme::SHORT_COMBO_WIDTH);
+    let inside = (width_of(ui, text, &egui::TextStyle::Body) + icon).max(theme::SHORT_COMBO_WIDTH);
     inside + 2.0 * spacing.button_padding.x
 }
 
@@ -35,7 +43,9 @@ pub fn named_combo(
     chosen: &str,
     items: impl FnOnce(&mut Ui),
 ) {
-    let width = width_of(ui, label) + combo_width(ui, chosen) + 2.0 * ui.spacing().item_spacing.x;
+    let width = width_of(ui, label, &egui::TextStyle::Body)
+        + combo_width(ui, chosen)
+        + 2.0 * ui.spacing().item_spacing.x;
     keep_together(ui, width);
     ui.horizontal(|ui| {
         ui.label(label).on_hover_text(hint);

@@ -4,7 +4,7 @@ use egui::{
     Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke,
     TextStyle, Ui, WidgetInfo, vec2,
 };
-use egui_plot::PlotUi;
+use egui_plot::{MarkerShape, PlotUi};
 
 use crate::analysis::Channel;
 use crate::analysis::half_difference::Spherical;
@@ -110,6 +110,33 @@ pub fn cursor_mark(painter: &Painter, ends: [Pos2; 2], dash: Dash, palette: &Pal
     let before_ring = tip + (foot - tip).normalized() * RING;
     line(painter, [foot, before_ring], (1.0, palette.ink), dash);
     painter.circle_stroke(tip, RING, (1.5, palette.ink));
+}
+
+/// A mark of a chart, as large as `rect`.
+pub fn marker(painter: &Painter, rect: Rect, shape: MarkerShape, color: Color32) {
+    let (centre, [left, right]) = (rect.center(), [rect.left_center(), rect.right_center()]);
+    let [top, bottom] = [rect.center_top(), rect.center_bottom()];
+    let corners = match shape {
+        MarkerShape::Square => vec![
+            rect.left_top(),
+            rect.right_top(),
+            rect.right_bottom(),
+            rect.left_bottom(),
+        ],
+        MarkerShape::Diamond => vec![top, right, bottom, left],
+        MarkerShape::Up => vec![top, rect.right_bottom(), rect.left_bottom()],
+        MarkerShape::Down => vec![bottom, rect.left_top(), rect.right_top()],
+        MarkerShape::Cross => {
+            painter.line_segment([rect.left_top(), rect.right_bottom()], (1.5, color));
+            painter.line_segment([rect.right_top(), rect.left_bottom()], (1.5, color));
+            return;
+        }
+        _ => {
+            painter.circle_filled(centre, 0.5 * rect.width(), color);
+            return;
+        }
+    };
+    painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
 }
 
 /// A patch of a material's colour.

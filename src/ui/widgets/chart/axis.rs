@@ -10,6 +10,9 @@ const TOP_ROOM: f64 = 0.12;
 /// The angles at which an axis of degrees is marked: the closer ones where there is room.
 const DEGREES: [f64; 3] = [15.0, 30.0, 90.0];
 
+/// The decades between the marks of an axis that goes by them: the closer ones where there is room.
+const DECADES: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
+
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
@@ -107,16 +110,31 @@ impl Axis {
 }
 
 /// The marks of an axis of degrees that shows these ends.
-pub(super) fn angle_marks((low, high): (f64, f64)) -> Vec<GridMark> {
+pub(super) fn angle_marks(ends: (f64, f64)) -> Vec<GridMark> {
+    multiples(&DEGREES, ends)
+}
+
+/// The marks of an axis that goes by decades and shows these ends, logarithms to base 10.
+pub(super) fn decade_marks(ends: (f64, f64)) -> Vec<GridMark> {
+    multiples(&DECADES, ends)
+}
+
+/// Marks between `low` and `high` at the multiples of the first of `steps`, each as important as the largest one that
+/// divides it.
+fn multiples(steps: &[f64], (low, high): (f64, f64)) -> Vec<GridMark> {
+    let Some(first) = steps.first() else {
+        return Vec::new();
+    };
     let mark = |index: i32| {
-        let [step, ..] = DEGREES;
-        let value = step * f64::from(index);
+        let value = first * f64::from(index);
         let divides = |step: &&f64| (value / **step).fract() == 0.0;
-        let step_size = DEGREES.iter().rfind(divides).copied();
+        let step_size = steps.iter().rfind(divides).copied();
         step_size.map(|step_size| GridMark { value, step_size })
     };
-    let is_seen = |mark: &GridMark| (low - 1e-9..=high + 1e-9).contains(&mark.value);
-    (-12..=12).filter_map(mark).filter(is_seen).collect()
+    let [start, end] = [low, high].map(|bound| bound / first);
+    // Rounding may leave an end just outside.
+    let indices = (start - 1e-9).ceil() as i32..=(end + 1e-9).floor() as i32;
+    indices.filter_map(mark).collect()
 }
 
 /// The text at a mark of an axis that shows `span` of its values.
@@ -141,6 +159,18 @@ fn tick(mark: GridMark, is_logarithmic: bool, span: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn marks_are_multiples_and_the_rounder_the_more_important() {
+        let marks = angle_marks((-20.0, 90.0));
+        let found: Vec<[f64; 2]> = marks.iter().map(|m| [m.value, m.step_size]).collect();
+        assert_eq!(found[..3], [[-15.0, 15.0], [0.0, 90.0], [15.0, 15.0]]);
+        assert_eq!(found.last(), Some(&[90.0, 90.0]));
+        let marks = decade_marks((-16.0, 0.2));
+        let steps: Vec<f64> = marks.iter().map(|m| m.step_size).collect();
+        assert_eq!(steps[..5], [8.0, 1.0, 2.0, 1.0, 4.0]);
+        assert_eq!(steps.len(), 17);
+    }
 
     #[test]
     fn axes_hold_their_values() {

@@ -4,14 +4,15 @@ use std::fmt::Write as _;
 
 use egui::{Align2, Pos2, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use egui_plot::{
-    AxisHints, FilledArea, HLine, Line, Plot, PlotPoint, PlotPoints, PlotTransform, PlotUi, VLine,
+    AxisHints, FilledArea, HLine, Line, Plot, PlotPoint, PlotPoints, PlotTransform, PlotUi, Points,
+    VLine,
 };
 
 use super::{choice, draw};
 use crate::ui::format;
 use crate::ui::theme::{self, Palette};
 pub use axis::Axis;
-pub use series::{Band, Mark, Series, style};
+pub use series::{Band, Dots, Mark, Series, style};
 
 mod axis;
 mod series;
@@ -33,6 +34,8 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Areas under the curves.
     pub bands: Vec<Band>,
+    /// Single values, over the curves.
+    pub dots: Vec<Dots>,
     /// Lines at an x.
     pub marks: Vec<Mark>,
     /// Lines at a y.
@@ -59,6 +62,7 @@ impl Chart {
             y,
             series,
             bands: Vec::new(),
+            dots: Vec::new(),
             marks: Vec::new(),
             levels: Vec::new(),
             has_names: false,
@@ -110,6 +114,13 @@ impl Chart {
             .label_formatter(|_| None);
         let plot = if self.x.is_angle {
             plot.x_grid_spacer(|input| axis::angle_marks(input.bounds))
+        } else if self.x.is_logarithmic {
+            plot.x_grid_spacer(|input| axis::decade_marks(input.bounds))
+        } else {
+            plot
+        };
+        let plot = if self.y.is_logarithmic {
+            plot.y_grid_spacer(|input| axis::decade_marks(input.bounds))
         } else {
             plot
         };
@@ -158,6 +169,16 @@ impl Chart {
                     .allow_hover(false);
                 plot_ui.line(line);
             }
+        }
+        for dots in &self.dots {
+            let places = dots.points.iter();
+            let places = places.map(|[x, y]| [self.x.place(*x), self.y.place(*y)]);
+            let points = Points::new("", places.collect::<PlotPoints<'_>>())
+                .shape(dots.shape)
+                .radius(dots.radius)
+                .color(dots.color)
+                .filled(dots.is_filled);
+            plot_ui.points(points.allow_hover(false));
         }
         for mark in &self.marks {
             let line = VLine::new("", self.x.place(mark.at)).stroke((1.5, mark.color));
@@ -243,8 +264,35 @@ impl Chart {
     #[must_use]
     pub fn pointed(&self, shown: &Shown) -> Option<[f64; 2]> {
         let pointer = shown.response.hover_pos()?;
-        let place = shown.transform.value_from_position(pointer);
-        Some([self.x.value(place.x), self.y.value(place.y)])
+        Some(self.value_at(shown, pointer))
+    }
+
+    /// The x and y at a place of the screen, in the units of the axes.
+    #[must_use]
+    pub fn value_at(&self, shown: &Shown, place: Pos2) -> [f64; 2] {
+        let place = shown.transform.value_from_position(place);
+        [self.x.value(place.x), self.y.value(place.y)]
+    }
+
+    /// Where the values x and y lie on the screen.
+    #[must_use]
+    pub fn position_of(&self, shown: &Shown, [x, y]: [f64; 2]) -> Pos2 {
+        shown.position([self.x.place(x), self.y.place(y)])
+    }
+
+    /// The dot under the pointer: which of [`Self::dots`], and which of its points.
+    #[must_use]
+    pub fn pointed_dot(&self, shown: &Shown) -> Option<[usize; 2]> {
+        const REACH: f32 = 9.0;
+        let pointer = shown.response.hover_pos()?;
+        let all = self.dots.iter().enumerate().flat_map(|(kind, dots)| {
+            let places = dots.points.iter().enumerate();
+            places.map(move |(index, point)| ([kind, index], *point))
+        });
+        all.map(|(which, point)| (which, self.position_of(shown, point).distance(pointer)))
+            .filter(|(_, distance)| *distance <= REACH)
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|(which, _)| which)
     }
 
     /// A line at `x`, which is pointed at in another view, with a dot on each curve there.

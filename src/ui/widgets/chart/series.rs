@@ -1,7 +1,7 @@
 //! What a chart draws: curves, areas and lines across.
 
 use egui::Color32;
-use egui_plot::LineStyle;
+use egui_plot::{LineStyle, MarkerShape};
 
 use crate::ui::theme::Dash;
 
@@ -29,6 +29,23 @@ pub struct Band {
     pub color: Color32,
     /// For each x the lower and the upper y.
     pub points: Vec<[f64; 3]>,
+}
+
+/// Single values of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dots {
+    /// What they show.
+    pub name: String,
+    /// Their colour.
+    pub color: Color32,
+    /// Their shape.
+    pub shape: MarkerShape,
+    /// Their radius in points.
+    pub radius: f32,
+    /// Whether they are filled.
+    pub is_filled: bool,
+    /// x and y.
+    pub points: Vec<[f64; 2]>,
 }
 
 /// A line across the chart.

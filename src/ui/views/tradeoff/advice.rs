@@ -1,0 +1,80 @@
+//! The answer: the cheapest choice within the tolerance.
+
+use egui::{RichText, ScrollArea, Ui};
+
+use super::{ViewContext, choose, plot};
+use crate::lab::tradeoff::{Advice, Report, WHOLE, advise};
+use crate::ui::format;
+
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
+    let tolerance = cx.session.views.tradeoff.tolerance;
+    let mut advice = advise(report, tolerance);
+    // The answer for the material as a whole comes first.
+    advice.sort_by_key(|one| one.family != WHOLE);
+    ScrollArea::vertical().id_salt("advice").show(ui, |ui| {
+        let heading = format!("Cheapest within {}", format::value(tolerance));
+        ui.label(RichText::new(heading).strong());
+        for one in &advice {
+            ui.separator();
+            entry(ui, cx, report, one);
+        }
+        for family in &report.families {
+            if let Some(reason) = &family.not_applicable {
+                ui.separator();
+                ui.label(RichText::new(family.title).small().strong());
+                ui.label(
+                    RichText::new(format!("does not apply: {reason}"))
+                        .small()
+                        .weak(),
+                );
+            }
+        }
+    });
+}
+
+/// One answer, with a button where the choice is a material.
+fn entry(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report, advice: &Advice) {
+    let title = if advice.family == WHOLE {
+        "The material as a whole"
+    } else {
+        let family = report
+            .families
+            .iter()
+            .find(|family| family.id == advice.family);
+        family.map_or(advice.family, |family| family.title)
+    };
+    ui.label(RichText::new(title).small().strong());
+    if !advice.met {
+        let text = RichText::new("Nothing is that near; the closest is").small();
+        ui.label(text.color(cx.palette.warning));
+    }
+    let n = advice.n.map_or(String::new(), |n| format!(", {n}"));
+    ui.label(format!("{}{n}", advice.choice));
+    let numbers = format!(
+        "{}, error {}",
+        plot::duration(advice.cost_ns),
+        plot::error(advice.error_rms)
+    );
+    ui.label(RichText::new(numbers).small());
+    if let Some(lost) = &advice.lost {
+        ui.label(RichText::new(format!("lost: {lost}")).small().weak());
+    }
+    if let Some(material) = advice
+        .material
+        .as_ref()
+        .filter(|material| **material != report.material)
+    {
+        let hint = "Put it into the list of materials, beside the one measured";
+        if ui.small_button("Use it").on_hover_text(hint).clicked() {
+            let family = report.families.iter().find_map(|family| {
+                let of_it = |point: &&crate::lab::tradeoff::Point| {
+                    point.material.as_ref() == Some(material)
+                };
+                family.points.iter().find(of_it)
+            });
+            if let Some(point) = family {
+                choose(cx, point, &report.material);
+            }
+        }
+    }
+}

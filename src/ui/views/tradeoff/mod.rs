@@ -1,0 +1,226 @@
+//! The trade-off: error over cost of every choice, and the cheapest that is good enough.
+
+mod advice;
+mod plot;
+
+use egui::{DragValue, ProgressBar, RichText, Ui};
+
+use super::{Cursor, ViewContext, ViewSpec};
+use crate::analysis::hemisphere::Comparison;
+use crate::bxdf::Material;
+use crate::lab::contract::Witness;
+use crate::lab::tradeoff::{FAMILIES, Point};
+use crate::ui::format;
+use crate::ui::measured::{Run, State};
+use crate::ui::session::{EntryId, MaterialEntry, Materials};
+use crate::ui::theme::{self, Palette};
+use crate::ui::widgets::{choice, draw};
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "tradeoff",
+    title: "Trade-off",
+    what_you_see: "What accuracy costs: each mark is a choice, its measured error over its measured \
+        cost; what lies lowest and furthest left is worth choosing",
+    show,
+    table: Some(crate::ui::export::table::tradeoff),
+    is_mesh: false,
+};
+
+/// The choice last clicked at: its family and its place there.
+pub(super) type Chosen = Option<(&'static str, usize)>;
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    let is_wanted = cx.session.views.tradeoff.is_immediate && !cx.data.tradeoff.is_of(cx.session);
+    if is_wanted && !ui.ctx().egui_is_using_pointer() {
+        start(ui, cx);
+    }
+    let state = cx.data.tradeoff.run().map(Run::state);
+    controls(ui, cx, state.as_ref());
+    let report = state.as_ref().and_then(|state| state.report.clone());
+    let Some(report) = report.filter(|report| !report.families.is_empty()) else {
+        let note = match state {
+            Some(_) => "Looking where the light of the material is …",
+            None => {
+                "Press Measure: every choice a renderer has for this material is tried on this \
+                 machine, some seconds long"
+            }
+        };
+        draw::centred_note(ui, note);
+        return;
+    };
+    let room = ui.available_size();
+    let is_wide = room.x > theme::ADVICE_BESIDE;
+    if is_wide {
+        ui.horizontal_top(|ui| {
+            ui.allocate_ui(egui::vec2(room.x - theme::ADVICE_WIDTH, room.y), |ui| {
+                ui.vertical(|ui| plot::show(ui, cx, &report));
+            });
+            ui.vertical(|ui| advice::show(ui, cx, &report));
+        });
+    } else {
+        let height = room.y * 0.62;
+        ui.allocate_ui(egui::vec2(room.x, height), |ui| plot::show(ui, cx, &report));
+        advice::show(ui, cx, &report);
+    }
+}
+
+fn start(ui: &Ui, cx: &mut ViewContext<'_>) {
+    let wake = ui.ctx().clone();
+    cx.state.chosen = None;
+    cx.data
+        .tradeoff
+        .start(cx.session, move || wake.request_repaint());
+}
+
+/// The buttons, how far it is, and what is measured.
+fn controls(ui: &mut Ui, cx: &mut ViewContext<'_>, state: Option<&State>) {
+    let is_running = state.is_some_and(|state| !state.is_done);
+    ui.horizontal_wrapped(|ui| {
+        if is_running {
+            if ui
+                .button("Cancel")
+                .on_hover_text("Stop measuring; what is known stays")
+                .clicked()
+            {
+                cx.data.tradeoff.cancel();
+            }
+            progress(ui, cx.data.tradeoff.run());
+        } else {
+            let hint = "Measure cost and error of every choice for the selected material";
+            if ui.button("Measure").on_hover_text(hint).clicked() {
+                start(ui, cx);
+            }
+        }
+        let options = &mut cx.session.views.tradeoff;
+        let hint = "The largest relative error (root mean square) that is good enough; the line \
+            in the plot can be dragged";
+        ui.label("Tolerance").on_hover_text(hint);
+        let speed = 0.02 * options.tolerance;
+        let field = DragValue::new(&mut options.tolerance)
+            .range(LEAST_TOLERANCE..=1.0)
+            .speed(speed)
+            .custom_formatter(|x, _| format::value(x))
+            .update_while_editing(false);
+        ui.add(field).on_hover_text(hint);
+        let hint = "Measure whenever another material is selected, or it changes";
+        choice::switch(ui, ("At once", hint), &mut options.is_immediate);
+        if let Some(run) = cx.data.tradeoff.run() {
+            let title = run.order.material.title();
+            let is_selected = run.order.material == *cx.session.material();
+            let text = if is_selected {
+                title
+            } else {
+                format!("measured: {title}")
+            };
+            ui.label(RichText::new(text).weak());
+        }
+    });
+    families(ui, cx);
+}
+
+/// The smallest tolerance that can be asked for.
+const LEAST_TOLERANCE: f64 = 1e-12;
+
+fn progress(ui: &mut Ui, run: Option<&Run>) {
+    let Some(run) = run else {
+        return;
+    };
+    let left = run.seconds_left();
+    let text = left.map_or_else(
+        || "measuring".to_owned(),
+        |left| format!("about {left:.0} s left"),
+    );
+    let bar = ProgressBar::new(run.state().share as f32);
+    ui.add(bar.desired_width(theme::PROGRESS_WIDTH).text(text));
+}
+
+/// The families: each with its mark and whether it is wanted.
+fn families(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    let report = cx.data.tradeoff.report();
+    let left_out = &mut cx.session.views.tradeoff.left_out;
+    ui.horizontal_wrapped(|ui| {
+        for (index, family) in FAMILIES.iter().enumerate() {
+            let (color, _) = look(index, cx.palette);
+            let known = report.as_ref().and_then(|report| {
+                let mut families = report.families.iter();
+                families.find(|known| known.id == family.id())
+            });
+            let reason = known.and_then(|known| known.not_applicable.as_ref());
+            let hint = match (reason, known) {
+                (Some(reason), _) => format!("Does not apply: {reason}"),
+                (None, Some(known)) => format!("Held against: {}", known.reference),
+                (None, None) => "Whether it is measured and shown".to_owned(),
+            };
+            let width = theme::LINE_SAMPLE + choice::small_switch_width(ui, family.title());
+            choice::keep_together(ui, width);
+            let text = RichText::new(family.title()).small().color(color);
+            let text = if reason.is_some() {
+                text.strikethrough()
+            } else {
+                text
+            };
+            let mut is_wanted = !left_out.iter().any(|id| id == family.id());
+            ui.horizontal(|ui| {
+                plot::sample(ui, index, cx.palette);
+                if ui
+                    .checkbox(&mut is_wanted, text)
+                    .on_hover_text(hint)
+                    .changed()
+                {
+                    left_out.retain(|id| id != family.id());
+                    if !is_wanted {
+                        left_out.push(family.id().to_owned());
+                    }
+                }
+            });
+        }
+    });
+}
+
+/// The colour and the mark of the family at `index` of the list.
+fn look(index: usize, palette: &Palette) -> (egui::Color32, egui_plot::MarkerShape) {
+    use egui_plot::MarkerShape::{Circle, Cross, Diamond, Down, Square, Up};
+    let shapes = [Circle, Square, Diamond, Up, Down, Cross];
+    let shape = shapes.get(index % shapes.len()).copied().unwrap_or(Circle);
+    (palette.kind(index), shape)
+}
+
+/// The entry of the list with the lobes of `material`, whatever its name.
+fn entry_of(materials: &Materials, material: &Material) -> Option<EntryId> {
+    let mut entries = materials.iter();
+    let is_it = |entry: &&MaterialEntry| entry.material.components() == material.components();
+    entries.find(is_it).map(MaterialEntry::id)
+}
+
+/// Makes `point` a material beside the one that was measured, in every view, with the difference between the two where it
+/// is largest.
+fn choose(cx: &mut ViewContext<'_>, point: &Point, measured: &Material) {
+    let materials = &mut cx.session.materials;
+    let original = entry_of(materials, measured);
+    let mut shown = original.unwrap_or_else(|| materials.selected().id());
+    if let Some(material) = &point.material
+        && material != measured
+    {
+        let mut named = material.clone();
+        named.name = format!("{}: {}", measured.title(), point.choice);
+        // Where there is no room for one more, the list says so itself.
+        let known = entry_of(materials, material);
+        if let Some(entry) = known.or_else(|| materials.add(named).ok()) {
+            materials.select(entry);
+            shown = entry;
+        }
+        if let Some(original) = original {
+            materials.compare_with(original);
+            cx.session.views.hemisphere.comparison = Comparison::Difference;
+        }
+    }
+    if let Some(worst) = point.worst {
+        let witness = Witness {
+            text: String::new(),
+            wo: Some(worst.wo),
+            wi: Some(worst.wi),
+        };
+        *cx.cursor = Cursor::jump(cx.session, shown, &witness);
+    }
+}
