@@ -28,6 +28,9 @@ const ROUNDING_FLOOR: f64 = 1e-14;
 /// A kink's error falls to a quarter where the cell is halved.
 const CAUTION: f64 = 0.25;
 
+/// Cells whose values are asked for at once: enough for a batch, and few enough that its memory stays in the cache.
+const AT_ONCE: usize = 2;
+
 /// The largest number below 1: maps of the square take numbers in [0, 1).
 const LAST: f64 = 1.0 - 0.5 * f64::EPSILON;
 
@@ -124,8 +127,14 @@ impl<'a> Cubature<'a> {
         }
     }
 
-    /// The integrals over `rectangles`.
+    /// The integrals over `rectangles`, a few at a time.
     fn integrated(&mut self, rectangles: &[Rectangle]) -> Vec<Cell> {
+        let some = rectangles.chunks(AT_ONCE);
+        some.flat_map(|some| self.integrated_at_once(some))
+            .collect()
+    }
+
+    fn integrated_at_once(&mut self, rectangles: &[Rectangle]) -> Vec<Cell> {
         let count = rectangles.len() * EVALUATIONS;
         let (mut points, mut slopes) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let place = |x| {

@@ -15,6 +15,7 @@ pub mod param;
 pub mod rotated;
 pub mod single;
 pub mod spec;
+pub mod table;
 
 pub use material::{Component, Material};
 pub use spec::{

@@ -1,6 +1,7 @@
 //! What a model says of itself: everything that lists, documents, draws or tests models follows from a [`ModelSpec`].
 
 use std::fmt;
+use std::sync::Arc;
 
 use xprec::Df64;
 
@@ -8,6 +9,7 @@ use super::Bxdf;
 use super::math::{Fast, Real, Vec3};
 use super::param::{ParamSet, ParamSpec, Value};
 use super::single::Single;
+use super::table::Table;
 use crate::error::Result;
 
 /// The kind of reflection a lobe belongs to.
@@ -191,6 +193,8 @@ pub struct Properties {
     pub relative_index: fn(&ParamSet) -> f64,
     /// The laws it breaks as published.
     pub declarations: &'static [Declaration],
+    /// The table to begin with, of a model whose values stand in one.
+    pub table: Option<fn() -> Arc<Table>>,
 }
 
 impl Properties {
@@ -199,6 +203,7 @@ impl Properties {
         is_isotropic: |_| true,
         relative_index: |_| 1.0,
         declarations: &[],
+        table: None,
     };
 
     /// Isotropic where `alpha_x` = `alpha_y`, else as [`Self::PLAIN`].
@@ -296,7 +301,11 @@ impl ModelSpec {
     /// The default parameters.
     #[must_use]
     pub fn defaults(&self) -> ParamSet {
-        ParamSet::defaults(self.id, self.parameters)
+        let params = ParamSet::defaults(self.id, self.parameters);
+        match self.properties.table {
+            Some(table) => params.with_table(table()),
+            None => params,
+        }
     }
 
     /// The model as the text form of a component, with these values and otherwise its defaults. `None` where it has no

@@ -2,9 +2,11 @@
 
 use std::fmt;
 use std::str::FromStr;
+use std::sync::Arc;
 
-use crate::bxdf::param::{ParamSet, Value};
+use crate::bxdf::param::{DATA, ParamSet, Value};
 use crate::bxdf::spec::{ModelSpec, Precision, StandIn};
+use crate::bxdf::table::Table;
 use crate::bxdf::{Bxdf, models};
 use crate::error::{Error, Result};
 
@@ -85,6 +87,21 @@ impl Component {
     pub fn set_all(&mut self, params: &ParamSet) -> Result<()> {
         self.change(|own| {
             own.clone_from(params);
+            Ok(())
+        })
+    }
+
+    /// Sets the table of a model whose values stand in one.
+    ///
+    /// # Errors
+    /// [`Error::UnknownId`] for another model; the component is then unchanged.
+    pub fn set_table(&mut self, table: Arc<Table>) -> Result<()> {
+        if self.params.table().is_none() {
+            let known = self.params.iter().map(|(spec, _)| spec.name);
+            return Err(Error::unknown("parameter", DATA, known));
+        }
+        self.change(|params| {
+            *params = params.clone().with_table(table);
             Ok(())
         })
     }

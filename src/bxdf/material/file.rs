@@ -195,6 +195,9 @@ fn lobe_table(component: &Component) -> toml::Value {
             table.insert(spec.name.to_owned(), toml_value(spec.kind, value));
         }
     }
+    if let Some(data) = component.params().table() {
+        table.insert(param::DATA.to_owned(), data.to_string().into());
+    }
     table.into()
 }
 

@@ -19,6 +19,7 @@ mod rough_conductor;
 mod rough_dielectric;
 mod specular_reflection;
 mod specular_transmission;
+mod table;
 mod thin_dielectric;
 mod velvet;
 mod ward;
@@ -32,7 +33,7 @@ use super::{Bxdf, Sample};
 use crate::error::{Error, Result};
 
 /// Every model, in the order of the catalogue: grouped by category.
-pub static MODELS: [&ModelSpec; 22] = [
+pub static MODELS: [&ModelSpec; 23] = [
     &lambertian_reflection::SPEC,
     &lambertian_transmission::SPEC,
     &oren_nayar::SPEC,
@@ -55,6 +56,7 @@ pub static MODELS: [&ModelSpec; 22] = [
     &hapke::SPEC,
     &velvet::SPEC,
     &charlie_sheen::SPEC,
+    &table::SPEC,
 ];
 
 /// The model to begin with: its lobe shows at once what the direction of the light does.

@@ -7,7 +7,7 @@ use std::fmt;
 
 mod set;
 
-pub use set::ParamSet;
+pub use set::{DATA, ParamSet};
 
 /// The kind of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,14 @@
 //! The validated values of a model's parameters.
 
 use std::fmt;
+use std::sync::Arc;
 
 use super::{ParamSpec, Value};
+use crate::bxdf::table::Table;
 use crate::error::{Error, Result};
+
+/// The name under which a table stands in texts.
+pub const DATA: &str = "data";
 
 /// The name that sets `alpha_x` and `alpha_y` at once, in models that have both.
 const BOTH_ALPHAS: &str = "alpha";
@@ -14,11 +19,16 @@ pub struct ParamSet {
     model: &'static str,
     specs: &'static [ParamSpec],
     values: Vec<Value>,
+    table: Option<Arc<Table>>,
 }
 
 impl PartialEq for ParamSet {
     fn eq(&self, other: &Self) -> bool {
-        self.model == other.model && self.values == other.values
+        let have_one_table = match (&self.table, &other.table) {
+            (Some(own), Some(others)) => Arc::ptr_eq(own, others) || own == others,
+            (own, others) => own.is_none() && others.is_none(),
+        };
+        self.model == other.model && self.values == other.values && have_one_table
     }
 }
 
@@ -30,7 +40,23 @@ impl ParamSet {
             model,
             specs,
             values: specs.iter().map(|spec| spec.default).collect(),
+            table: None,
         }
+    }
+
+    /// The set of a model whose values stand in a table, with this one.
+    #[must_use]
+    pub fn with_table(self, table: Arc<Table>) -> Self {
+        Self {
+            table: Some(table),
+            ..self
+        }
+    }
+
+    /// The table, where the model's values stand in one.
+    #[must_use]
+    pub fn table(&self) -> Option<&Arc<Table>> {
+        self.table.as_ref()
     }
 
     /// Each spec with its value, in the order of the specs.
@@ -66,8 +92,12 @@ impl ParamSet {
     /// and `alpha_y`.
     ///
     /// # Errors
-    /// As [`Self::set`], and [`Error::Parameter`] where the text is not of the parameter's kind.
+    /// As [`Self::set`], and [`Error::Parameter`] where the text is not of the parameter's kind; [`Error::Parse`] for a table.
     pub fn set_text(&mut self, name: &str, text: &str) -> Result<()> {
+        if name == DATA && self.table.is_some() {
+            self.table = Some(Arc::new(text.parse()?));
+            return Ok(());
+        }
         if name == BOTH_ALPHAS
             && self.index_of(name).is_none()
             && self.index_of("alpha_x").is_some()
@@ -200,12 +230,16 @@ fn refused(model: &str, spec: &ParamSpec, text: &str) -> Error {
 }
 
 impl fmt::Display for ParamSet {
-    /// The parameters that differ from their default, as `name=value,name=value`.
+    /// The parameters that differ from their default, as `name=value,name=value`; a table as `data=..`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let changed = self.iter().filter(|(spec, value)| *value != spec.default);
         for (index, (spec, value)) in changed.enumerate() {
             let comma = if index == 0 { "" } else { "," };
             write!(f, "{comma}{}={value}", spec.name)?;
+        }
+        // No model has both.
+        if let Some(table) = &self.table {
+            write!(f, "{DATA}={table}")?;
         }
         Ok(())
     }

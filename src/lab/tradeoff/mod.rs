@@ -15,6 +15,7 @@ mod precision;
 mod probe;
 mod stand_ins;
 pub mod table;
+mod tables;
 
 use glam::DVec3;
 use serde::Serialize;
@@ -64,10 +65,11 @@ pub trait Family: Sync {
 }
 
 /// Every family, in the order in which they are measured and shown.
-pub static FAMILIES: [&dyn Family; 5] = [
+pub static FAMILIES: [&dyn Family; 6] = [
     &estimators::Estimators,
     &precision::Precisions,
     &stand_ins::StandIns,
+    &tables::Tables,
     &channels::Channels,
     &mesh::Resolutions,
 ];

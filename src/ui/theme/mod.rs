@@ -81,6 +81,8 @@ pub const FRONT_WIDTH: f32 = 1.0;
 pub const ADVICE_BESIDE: f32 = 620.0;
 /// See [`ADVICE_BESIDE`].
 pub const ADVICE_WIDTH: f32 = 240.0;
+/// The share of the height that the plot has where advice stands below.
+pub const CHART_SHARE: f32 = 0.72;
 /// The width of a bar of progress, in points.
 pub const PROGRESS_WIDTH: f32 = 130.0;
 /// Radius of a handle that can be dragged.

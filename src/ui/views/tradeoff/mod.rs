@@ -59,7 +59,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
             ui.vertical(|ui| advice::show(ui, cx, &report));
         });
     } else {
-        let height = room.y * 0.62;
+        let height = room.y * theme::CHART_SHARE;
         ui.allocate_ui(egui::vec2(room.x, height), |ui| plot::show(ui, cx, &report));
         advice::show(ui, cx, &report);
     }

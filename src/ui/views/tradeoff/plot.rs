@@ -152,10 +152,7 @@ fn axes(places: &[[f64; 2]], tolerance: f64) -> [Axis; 2] {
     let cost = decades(&mut places.iter().map(|[cost, _]| *cost), 1e-3);
     let errors = places.iter().map(|[_, error]| *error);
     let error = decades(&mut errors.chain([tolerance]), 0.1 * ZERO);
-    [
-        axis("cost (ns)", cost),
-        axis("relative error, root mean square", error),
-    ]
+    [axis("cost (ns)", cost), axis("relative rms error", error)]
 }
 
 /// The handle at the end of the line of the tolerance.
