@@ -1,23 +1,34 @@
 //! Batches of mixtures: each component's own batch, stretch by stretch, and their weighted sum.
 
+use super::mixed_samples;
 use super::mixture::Mixture;
-use crate::bxdf::batch::{Directions, Job, Path, TripleMut, run};
+use crate::bxdf::batch::{Directions, Job, Path, TripleMut};
 use crate::bxdf::math::{Real, Vec3};
 
 /// Pairs that are worked on at a time: the components' results stay in the fastest cache.
-const STRETCH: usize = 256;
+pub(super) const STRETCH: usize = 256;
 
-/// Runs `job` on `mixture`. Samples are drawn one by one: each chooses a component.
+/// Runs `job` on `mixture`.
 pub(super) fn run_mixture<R: Real>(mixture: &Mixture<R>, path: Path, job: Job<'_, R::Stored>) {
     let n = job.len();
     match job {
-        Job::F { wo, wi, f } => values(mixture, path, wo, wi, f),
-        Job::Pdf { wo, wi, pdf } => densities(mixture, path, wo, wi, pdf),
+        Job::F { wo, wi, f } => evaluate(mixture, path, [wo, wi], Some(f), None, n),
+        Job::Pdf { wo, wi, pdf } => evaluate(mixture, path, [wo, wi], None, Some(pdf), n),
         Job::FPdf { wo, wi, f, pdf } => {
-            values(mixture, path, wo, wi, f);
-            densities(mixture, path, wo, wi, pdf);
+            evaluate(mixture, path, [wo, wi], Some(f), Some(pdf), n);
         }
-        sample @ Job::Sample { .. } => run(mixture, Path::Plain, sample),
+        Job::Sample {
+            wo: [x, y, z],
+            uc,
+            u: [u, v],
+            wi: [ix, iy, iz],
+            f: [r, g, b],
+            pdf,
+            delta,
+        } => {
+            let drawn = [ix, iy, iz, r, g, b, pdf, delta];
+            mixed_samples::samples(mixture, path, [x, y, z, uc, u, v], drawn, n);
+        }
         Job::Lobe {
             index,
             is_incident,
@@ -65,80 +76,86 @@ fn scale<R: Real>(channels: TripleMut<'_, R::Stored>, n: usize, weight: R) {
     }
 }
 
-fn values<R: Real>(
+/// The value and the density of the first `n` pairs, of each what there is room for.
+pub(super) fn evaluate<R: Real>(
     mixture: &Mixture<R>,
     path: Path,
-    wo: Directions<'_, R::Stored>,
-    wi: Directions<'_, R::Stored>,
-    f: TripleMut<'_, R::Stored>,
+    [wo, wi]: [Directions<'_, R::Stored>; 2],
+    mut f: Option<TripleMut<'_, R::Stored>>,
+    mut pdf: Option<&mut [R::Stored]>,
+    n: usize,
 ) {
-    let [r, g, b] = f;
-    let mut part_of = [[R::zero().store(); STRETCH]; 3];
-    let stretches = r
-        .chunks_mut(STRETCH)
-        .zip(g.chunks_mut(STRETCH))
-        .zip(b.chunks_mut(STRETCH));
-    for (number, ((r, g), b)) in stretches.enumerate() {
-        let start = number * STRETCH;
-        let (wo, wi) = (stretch(wo, start), stretch(wi, start));
-        let n = written([&wo, &wi], r.len().min(g.len()).min(b.len()));
-        let mut sums = [[R::zero(); STRETCH]; 3];
-        for part in mixture.parts() {
-            let [x, y, z] = part_of
+    let zero = R::zero().store();
+    let mut scratch = [[zero; STRETCH]; 4];
+    for start in (0..n).step_by(STRETCH) {
+        let here = start..n.min(start + STRETCH);
+        let [wo, wi] =
+            [wo, wi].map(|axes| axes.map(|axis| axis.get(here.clone()).unwrap_or_default()));
+        let [x, y, z] = wo;
+        let shares: Vec<_> = if pdf.is_some() {
+            let components = x.iter().zip(y).zip(z);
+            let direction = |((x, y), z): ((&R::Stored, &R::Stored), &R::Stored)| {
+                Vec3::new(R::load(*x), R::load(*y), R::load(*z))
+            };
+            components
+                .map(|components| mixture.shares(direction(components)))
+                .collect()
+        } else {
+            Vec::new()
+        };
+        let mut sums = [[R::zero(); STRETCH]; 4];
+        let [value_sums @ .., density_sums] = &mut sums;
+        for (index, part) in mixture.parts().iter().enumerate() {
+            let own = scratch
                 .each_mut()
-                .map(|axis| axis.get_mut(..n).unwrap_or_default());
-            part.bxdf.batch(
-                path,
-                Job::F {
+                .map(|axis| axis.get_mut(..here.len()).unwrap_or_default());
+            let [r, g, b, density] = own;
+            let job = match (f.is_some(), pdf.is_some()) {
+                (true, true) => Job::FPdf {
                     wo,
                     wi,
-                    f: [x, y, z],
+                    f: [r, g, b],
+                    pdf: density,
                 },
-            );
-            for (sum, values) in sums.iter_mut().zip(&part_of) {
-                for (sum, value) in sum.iter_mut().zip(values) {
-                    *sum = *sum + R::load(*value) * part.weight;
+                (true, false) => Job::F {
+                    wo,
+                    wi,
+                    f: [r, g, b],
+                },
+                _ => Job::Pdf {
+                    wo,
+                    wi,
+                    pdf: density,
+                },
+            };
+            part.bxdf.batch(path, job);
+            let [values @ .., densities] = &scratch;
+            if f.is_some() {
+                for (sum, values) in value_sums.iter_mut().zip(values) {
+                    for (sum, value) in sum.iter_mut().zip(values) {
+                        *sum = *sum + R::load(*value) * part.weight;
+                    }
                 }
             }
-        }
-        for (out, sum) in [r, g, b].into_iter().zip(&sums) {
-            let written = out.iter_mut().zip(sum).take(n);
-            written.for_each(|(out, sum)| *out = sum.saturated().store());
-        }
-    }
-}
-
-fn densities<R: Real>(
-    mixture: &Mixture<R>,
-    path: Path,
-    wo: Directions<'_, R::Stored>,
-    wi: Directions<'_, R::Stored>,
-    pdf: &mut [R::Stored],
-) {
-    let mut part_of = [R::zero().store(); STRETCH];
-    for (number, pdf) in pdf.chunks_mut(STRETCH).enumerate() {
-        let start = number * STRETCH;
-        let (wo, wi) = (stretch(wo, start), stretch(wi, start));
-        let n = written([&wo, &wi], pdf.len());
-        let [x, y, z] = wo;
-        let shares: Vec<_> = x
-            .iter()
-            .zip(y)
-            .zip(z)
-            .take(n)
-            .map(|((x, y), z)| mixture.shares(Vec3::new(R::load(*x), R::load(*y), R::load(*z))))
-            .collect();
-        let mut sums = [R::zero(); STRETCH];
-        for (index, part) in mixture.parts().iter().enumerate() {
-            let pdf = part_of.get_mut(..n).unwrap_or_default();
-            part.bxdf.batch(path, Job::Pdf { wo, wi, pdf });
-            for ((sum, value), shares) in sums.iter_mut().zip(&part_of).zip(&shares) {
+            for ((sum, value), shares) in density_sums.iter_mut().zip(densities).zip(&shares) {
                 let share = shares.get(index).copied().unwrap_or_else(R::zero);
                 *sum = *sum + weighed(share, R::load(*value));
             }
         }
-        let written = pdf.iter_mut().zip(&sums).take(n);
-        written.for_each(|(out, sum)| *out = sum.saturated().store());
+        let write = |out: &mut [R::Stored], sums: &[R; STRETCH]| {
+            let room = out.get_mut(here.clone()).unwrap_or_default();
+            for (out, sum) in room.iter_mut().zip(sums) {
+                *out = sum.saturated().store();
+            }
+        };
+        if let Some(channels) = &mut f {
+            for (channel, sums) in channels.iter_mut().zip(&*value_sums) {
+                write(channel, sums);
+            }
+        }
+        if let Some(pdf) = &mut pdf {
+            write(pdf, density_sums);
+        }
     }
 }
 
@@ -150,18 +167,4 @@ pub(super) fn weighed<R: Real>(share: R, density: R) -> R {
     } else {
         R::zero()
     }
-}
-
-/// The directions from `start` on, [`STRETCH`] of them or as many as are left.
-fn stretch<S>(directions: Directions<'_, S>, start: usize) -> Directions<'_, S> {
-    directions.map(|axis| {
-        let end = axis.len().min(start + STRETCH);
-        axis.get(start..end).unwrap_or_default()
-    })
-}
-
-/// How many of `n` results there are directions for.
-fn written<S>(directions: [&Directions<'_, S>; 2], n: usize) -> usize {
-    let axes = directions.into_iter().flatten();
-    axes.map(|axis| axis.len()).fold(n, usize::min)
 }

@@ -128,6 +128,21 @@ impl<R: Real> Mixture<R> {
         chances.map(|chance| R::of(if sum > 0.0 { chance / sum } else { 0.0 }))
     }
 
+    /// The component that `uc` chooses at `wo`, and the number, uniform in [0, 1), that is left of it.
+    pub(super) fn choose(&self, wo: Vec3<R>, uc: R) -> Option<(usize, R)> {
+        let mut rest = uc;
+        let shares = self.shares(wo);
+        let last = shares.iter().rposition(|share| *share > R::zero())?;
+        for (index, share) in shares.into_iter().enumerate() {
+            if rest < share || index == last {
+                let below_one = R::one() - R::of(R::UNIT_ROUNDOFF);
+                return Some((index, (rest / share).min(below_one)));
+            }
+            rest = rest - share;
+        }
+        None
+    }
+
     /// The component whose inner lobe is the mixture's at `index`, and that lobe's index there.
     pub(super) fn lobe(&self, index: usize) -> Option<(&Part<R>, usize)> {
         let (part, inner) = *self.owners.get(index)?;
@@ -156,30 +171,21 @@ impl<R: Real> Bxdf<R> for Mixture<R> {
     }
 
     fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        let mut rest = uc;
-        let shares = self.shares(wo);
-        let last = shares.iter().rposition(|share| *share > R::zero())?;
-        for (index, (part, share)) in self.parts.iter().zip(shares).enumerate() {
-            if rest < share || index == last {
-                let below_one = R::one() - R::of(R::UNIT_ROUNDOFF);
-                let sample = part.bxdf.sample_f(wo, (rest / share).min(below_one), u)?;
-                if sample.is_delta {
-                    let mut deltas = self.deltas(wo).into_iter().flatten();
-                    let side = Side::between(wo, sample.wi);
-                    return deltas
-                        .find(|delta| delta.side == side)
-                        .map(|delta| delta.sample());
-                }
-                let sample = Sample {
-                    f: self.f(wo, sample.wi),
-                    pdf: self.pdf(wo, sample.wi),
-                    ..sample
-                };
-                return sample.with_density();
-            }
-            rest = rest - share;
+        let (index, rest) = self.choose(wo, uc)?;
+        let sample = self.parts.get(index)?.bxdf.sample_f(wo, rest, u)?;
+        if sample.is_delta {
+            let mut deltas = self.deltas(wo).into_iter().flatten();
+            let side = Side::between(wo, sample.wi);
+            return deltas
+                .find(|delta| delta.side == side)
+                .map(|delta| delta.sample());
         }
-        None
+        let sample = Sample {
+            f: self.f(wo, sample.wi),
+            pdf: self.pdf(wo, sample.wi),
+            ..sample
+        };
+        sample.with_density()
     }
 
     fn batch(&self, path: Path, job: Job<'_, R::Stored>) {

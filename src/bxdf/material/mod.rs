@@ -4,6 +4,7 @@ mod component;
 pub mod file;
 pub mod library;
 mod mixed_batch;
+mod mixed_samples;
 mod mixture;
 
 use std::fmt;
@@ -142,6 +143,13 @@ impl Material {
             Side::Reflection => component.model().reflects(),
             Side::Transmission => component.model().transmits(),
         })
+    }
+
+    /// Whether the values of a component stand in a table: its text is long then.
+    #[must_use]
+    pub fn holds_table(&self) -> bool {
+        let mut components = self.components.iter();
+        components.any(|component| component.params().table().is_some())
     }
 
     /// Whether all its lobes are Dirac deltas, so that `f` and `pdf` are 0 everywhere.
