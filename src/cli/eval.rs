@@ -5,15 +5,19 @@ use std::path::PathBuf;
 use xprec::Df64;
 
 use super::args::{self, Given, PrecisionName, STANDARD_STREAM};
-use super::input::{COLUMNS, Rows};
+use super::input::{COLUMNS, Row, Rows};
 use super::output::Table;
 use super::say;
-use crate::bxdf::Precision;
+use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::math::Real;
+use crate::bxdf::{Bxdf, Precision};
 use crate::error::Result;
 
 /// The columns added to those read.
 const RESULTS: [&str; 4] = ["f_r", "f_g", "f_b", "pdf"];
+
+/// Rows that are evaluated together.
+const ROWS: usize = 1024;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -45,14 +49,15 @@ fn evaluate<R: Precision>(arguments: &Arguments) -> Result<()> {
     let header: Vec<&str> = COLUMNS.into_iter().chain(RESULTS).collect();
     let mut table = Table::open(&arguments.output, &header)?;
     let mut normalised = 0_u64;
+    let mut chunk = Chunk::<R>::default();
     while let Some(row) = rows.next()? {
-        let (wo, wi) = (row.wo.into(), row.wi.into());
-        row.texts.iter().try_for_each(|text| table.text(text))?;
-        table.numbers(&bxdf.f(wo, wi).to_f64())?;
-        table.numbers(&[bxdf.pdf(wo, wi).as_f64()])?;
-        table.end_row()?;
         normalised += u64::from(row.was_normalised);
+        chunk.push(&row);
+        if chunk.texts.len() == ROWS {
+            chunk.write(&*bxdf, &mut table)?;
+        }
     }
+    chunk.write(&*bxdf, &mut table)?;
     table.finish()?;
     if normalised > 0 {
         let rows = if normalised == 1 { "row" } else { "rows" };
@@ -61,4 +66,58 @@ fn evaluate<R: Precision>(arguments: &Arguments) -> Result<()> {
         ));
     }
     Ok(())
+}
+
+/// Rows that wait to be evaluated.
+struct Chunk<R: Real> {
+    texts: Vec<[String; COLUMNS.len()]>,
+    wo: [Vec<R::Stored>; 3],
+    wi: [Vec<R::Stored>; 3],
+}
+
+impl<R: Real> Default for Chunk<R> {
+    fn default() -> Self {
+        Self {
+            texts: Vec::new(),
+            wo: Default::default(),
+            wi: Default::default(),
+        }
+    }
+}
+
+impl<R: Real> Chunk<R> {
+    fn push(&mut self, row: &Row<'_>) {
+        self.texts.push(row.texts.map(str::to_owned));
+        for (axes, w) in [(&mut self.wo, row.wo), (&mut self.wi, row.wi)] {
+            for (axis, x) in axes.iter_mut().zip(w.to_array()) {
+                axis.push(R::of(x).store());
+            }
+        }
+    }
+
+    /// Writes the rows with their results, and forgets them.
+    fn write(&mut self, bxdf: &dyn Bxdf<R>, table: &mut Table) -> Result<()> {
+        let zero = R::zero().store();
+        let mut results: [Vec<R::Stored>; RESULTS.len()] =
+            std::array::from_fn(|_| vec![zero; self.texts.len()]);
+        let [r, g, b, pdf] = results.each_mut().map(Vec::as_mut_slice);
+        let job = Job::FPdf {
+            wo: self.wo.each_ref().map(Vec::as_slice),
+            wi: self.wi.each_ref().map(Vec::as_slice),
+            f: [r, g, b],
+            pdf,
+        };
+        bxdf.batch(Path::Dispatched, job);
+        for (index, texts) in self.texts.drain(..).enumerate() {
+            texts.iter().try_for_each(|text| table.text(text))?;
+            let result = |axis: &Vec<R::Stored>| {
+                let stored = axis.get(index).copied().unwrap_or(zero);
+                R::load(stored).as_f64()
+            };
+            table.numbers(&results.each_ref().map(result))?;
+            table.end_row()?;
+        }
+        self.wo.iter_mut().chain(&mut self.wi).for_each(Vec::clear);
+        Ok(())
+    }
 }

@@ -53,9 +53,9 @@ pub(super) fn support(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
         cases.push((wo, DVec3::X));
         cases.push((DVec3::NEG_Y, wo));
     }
-    for (wo, wi) in cases {
-        let f = subject.double.f(wo.into(), wi.into()).max_channel();
-        let pdf = subject.double.pdf(wo.into(), wi.into());
+    let values = subject.values(&cases);
+    for ((wo, wi), [r, g, b, pdf]) in cases.into_iter().zip(values) {
+        let f = r.max(g).max(b);
         let side = if wo.z * wi.z > 0.0 {
             Side::Reflection
         } else {
@@ -72,22 +72,39 @@ pub(super) fn support(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
 
 /// `n_i^2` f(wo, wi) = `n_o^2` f(wi, wo), in every channel, within the stability law.
 pub(super) fn reciprocity(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
-    for (wo, wi) in pairs(subject, plan, 41) {
-        for channel in 0..3 {
-            let (deviation, error) = reciprocity_deviation(subject, wo, wi, channel);
-            tallies.record(LawId::Reciprocity, deviation, error, || {
-                subject.witness(&[("wo", wo), ("wi", wi)])
-            });
+    let pairs = pairs(subject, plan, 41);
+    for_each_deviation(subject, &pairs, |(wo, wi), deviation, error| {
+        tallies.record(LawId::Reciprocity, deviation, error, || {
+            subject.witness(&[("wo", wo), ("wi", wi)])
+        });
+    });
+}
+
+/// Calls `record` with each of `pairs` and each channel's [`reciprocity_deviation`].
+fn for_each_deviation(
+    subject: &Subject,
+    pairs: &[(DVec3, DVec3)],
+    mut record: impl FnMut((DVec3, DVec3), f64, f64),
+) {
+    let back: Vec<_> = pairs.iter().map(|(wo, wi)| (*wi, *wo)).collect();
+    let values = subject.values(pairs).into_iter().zip(subject.values(&back));
+    for (pair, ([there @ .., _], [back @ .., _])) in pairs.iter().zip(values) {
+        for (channel, values) in there.into_iter().zip(back).enumerate() {
+            let (deviation, error) = reciprocity_deviation(subject, *pair, channel, values);
+            record(*pair, deviation, error);
         }
     }
 }
 
-/// The relative difference of the two ways, and what rounding explains of it.
-fn reciprocity_deviation(subject: &Subject, wo: DVec3, wi: DVec3, channel: usize) -> (f64, f64) {
+/// The relative difference of the values `there` and `back` of a channel, and what rounding explains of it.
+fn reciprocity_deviation(
+    subject: &Subject,
+    (wo, wi): (DVec3, DVec3),
+    channel: usize,
+    (there, back): (f64, f64),
+) -> (f64, f64) {
     let quantity = Quantity::F(channel);
     let (n_o, n_i) = (subject.index_at(wo), subject.index_at(wi));
-    let there = quantity.of(&*subject.double, wo.into(), wi.into());
-    let back = quantity.of(&*subject.double, wi.into(), wo.into());
     if is_subnormal::<f64>(there) && is_subnormal::<f64>(back) {
         return (0.0, 0.0);
     }
@@ -101,12 +118,24 @@ pub(super) fn isotropy(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     /// Relative difference from which a lobe visibly depends on the azimuth.
     const VISIBLE: f64 = 1e-3;
     let mut largest: f64 = 0.0;
-    for (index, (wo, wi)) in pairs(subject, plan, 51).into_iter().enumerate() {
+    let pairs = pairs(subject, plan, 51);
+    let turned = pairs.iter().enumerate().map(|(index, (wo, wi))| {
         let turn = 0.3 + index as f64;
-        let [wo_turned, wi_turned] = [wo, wi].map(|w| turned_about_normal(w, turn));
-        for quantity in Quantity::ALL {
-            let here = quantity.of(&*subject.double, wo.into(), wi.into());
-            let turned = quantity.of(&*subject.double, wo_turned.into(), wi_turned.into());
+        (
+            turned_about_normal(*wo, turn),
+            turned_about_normal(*wi, turn),
+        )
+    });
+    let turned_pairs: Vec<_> = turned.collect();
+    let values = subject
+        .values(&pairs)
+        .into_iter()
+        .zip(subject.values(&turned_pairs));
+    let cases = pairs.into_iter().zip(turned_pairs).zip(values);
+    for (((wo, wi), (wo_turned, wi_turned)), (here, turned)) in cases {
+        for (quantity, (here, turned)) in
+            Quantity::ALL.into_iter().zip(here.into_iter().zip(turned))
+        {
             if is_subnormal::<f64>(here) && is_subnormal::<f64>(turned) {
                 continue;
             }
@@ -134,18 +163,21 @@ pub(super) fn isotropy(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
 pub(super) fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Result<f64, String> {
     let subject = super::energy::declared_subject(model, declaration)?;
     let wi = direction_from_degrees(declaration.theta_deg, 0.0);
+    let thetas = (0..180).step_by(5).map(f64::from);
+    let pairs = thetas.flat_map(|theta_deg| {
+        let phis = (0..360).step_by(30).map(f64::from);
+        phis.map(move |phi_deg| (direction_from_degrees(theta_deg, phi_deg), wi))
+    });
     let mut largest: f64 = 0.0;
-    for theta_deg in (0..180).step_by(5) {
-        for phi_deg in (0..360).step_by(30) {
-            let wo = direction_from_degrees(f64::from(theta_deg), f64::from(phi_deg));
-            for channel in 0..3 {
-                let (deviation, error) = reciprocity_deviation(&subject, wo, wi, channel);
-                if deviation > error {
-                    largest = largest.max(deviation);
-                }
+    for_each_deviation(
+        &subject,
+        &pairs.collect::<Vec<_>>(),
+        |_, deviation, error| {
+            if deviation > error {
+                largest = largest.max(deviation);
             }
-        }
-    }
+        },
+    );
     if largest > 0.0 {
         Ok(largest)
     } else {

@@ -4,6 +4,7 @@ use glam::DVec3;
 use xprec::Df64;
 
 use super::Witness;
+use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::math::frame;
 use crate::bxdf::param::{ParamSet, ParamSpec, Value};
 use crate::bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
@@ -61,6 +62,30 @@ impl Subject {
             relative_index: (model.properties.relative_index)(params),
             is_isotropic: (model.properties.is_isotropic)(params),
         }
+    }
+
+    /// The three channels of `f` and the density at `pairs` (wo, wi), in `f64`: what [`Quantity::ALL`] lists.
+    ///
+    /// [`Quantity::ALL`]: super::statistics::Quantity::ALL
+    #[must_use]
+    pub fn values(&self, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 4]> {
+        let components = |pick: fn(&(DVec3, DVec3)) -> DVec3| {
+            [0, 1, 2]
+                .map(|axis| -> Vec<f64> { pairs.iter().map(|pair| pick(pair)[axis]).collect() })
+        };
+        let (wo, wi) = (components(|pair| pair.0), components(|pair| pair.1));
+        let mut results = [(); 4].map(|()| vec![0.0; pairs.len()]);
+        let [r, g, b, pdf] = results.each_mut().map(Vec::as_mut_slice);
+        let job = Job::FPdf {
+            wo: wo.each_ref().map(Vec::as_slice),
+            wi: wi.each_ref().map(Vec::as_slice),
+            f: [r, g, b],
+            pdf,
+        };
+        self.double.batch(Path::Dispatched, job);
+        let [r, g, b, pdf] = results;
+        let all = r.into_iter().zip(g).zip(b).zip(pdf);
+        all.map(|(((r, g), b), pdf)| [r, g, b, pdf]).collect()
     }
 
     /// `material`, all its components together.
