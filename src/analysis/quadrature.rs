@@ -41,9 +41,17 @@ pub struct Integral {
     pub value: [f64; 3],
     /// The estimated absolute error of the worst channel; usually the true error is far smaller.
     pub error: f64,
+    /// How many values were asked for.
+    pub evaluations: usize,
 }
 
 impl Integral {
+    const NOTHING: Self = Self {
+        value: [0.0; 3],
+        error: 0.0,
+        evaluations: 0,
+    };
+
     /// The largest difference of a channel.
     fn distance(&self, other: &Self) -> f64 {
         largest(add(self.value, other.value.map(|x| -x)))
@@ -86,10 +94,7 @@ impl<'a> Cubature<'a> {
             f,
             is_graded,
             cells: BinaryHeap::new(),
-            sum: Integral {
-                value: [0.0; 3],
-                error: 0.0,
-            },
+            sum: Integral::NOTHING,
             evaluations: 0,
         };
         let whole = Rectangle {
@@ -160,14 +165,15 @@ impl<'a> Cubature<'a> {
 
     /// The sum over all cells, anew: the running sum collects rounding.
     fn total(&self) -> Integral {
-        let nothing = Integral {
-            value: [0.0; 3],
-            error: 0.0,
-        };
-        self.cells.iter().fold(nothing, |sum, cell| Integral {
-            value: add(sum.value, cell.value),
-            error: sum.error + cell.error,
-        })
+        let sum = self
+            .cells
+            .iter()
+            .fold([0.0; 3], |sum, cell| add(sum, cell.value));
+        Integral {
+            value: sum,
+            error: self.cells.iter().map(|cell| cell.error).sum(),
+            evaluations: self.evaluations,
+        }
     }
 }
 

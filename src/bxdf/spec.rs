@@ -1,7 +1,6 @@
 //! What a model says of itself: everything that lists, documents, draws or tests models follows from a [`ModelSpec`].
 
 use std::fmt;
-use std::sync::Arc;
 
 use xprec::Df64;
 
@@ -9,7 +8,6 @@ use super::Bxdf;
 use super::math::{Fast, Real, Vec3};
 use super::param::{ParamSet, ParamSpec, Value};
 use super::single::Single;
-use super::table::Table;
 use crate::error::Result;
 
 /// The kind of reflection a lobe belongs to.
@@ -193,8 +191,8 @@ pub struct Properties {
     pub relative_index: fn(&ParamSet) -> f64,
     /// The laws it breaks as published.
     pub declarations: &'static [Declaration],
-    /// The table to begin with, of a model whose values stand in one.
-    pub table: Option<fn() -> Arc<Table>>,
+    /// Whether its values stand in a table.
+    pub takes_table: bool,
 }
 
 impl Properties {
@@ -203,7 +201,7 @@ impl Properties {
         is_isotropic: |_| true,
         relative_index: |_| 1.0,
         declarations: &[],
-        table: None,
+        takes_table: false,
     };
 
     /// Isotropic where `alpha_x` = `alpha_y`, else as [`Self::PLAIN`].
@@ -302,9 +300,10 @@ impl ModelSpec {
     #[must_use]
     pub fn defaults(&self) -> ParamSet {
         let params = ParamSet::defaults(self.id, self.parameters);
-        match self.properties.table {
-            Some(table) => params.with_table(table()),
-            None => params,
+        if self.properties.takes_table {
+            params.taking_table()
+        } else {
+            params
         }
     }
 

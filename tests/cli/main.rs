@@ -10,6 +10,7 @@ mod albedo;
 mod bench;
 mod eval;
 mod sample;
+mod tradeoff;
 
 use std::fs;
 use std::io::Write;

@@ -270,3 +270,18 @@ fn a_choice_of_the_tradeoff_becomes_a_material_that_is_compared() {
     assert_eq!(materials.title(materials.reference()), "Gold");
     assert_eq!(session.views.hemisphere.comparison, Comparison::Difference);
 }
+
+#[test]
+fn the_advised_choice_is_used_and_then_offered_as_a_file() {
+    let mut shown = session(&["gold"]);
+    shown.views.tradeoff.tolerance = 0.02;
+    let mut harness = alone(shown, "tradeoff");
+    measure_tradeoff(&mut harness);
+    assert!(harness.query_all_by_label("Save it…").next().is_none());
+    // The material as a whole comes first.
+    harness.query_all_by_label("Use it").next().unwrap().click();
+    harness.run();
+    let material = harness.state().session.material().clone();
+    assert!(material.name.starts_with("Gold: "), "{}", material.name);
+    assert!(harness.query_all_by_label("Save it…").next().is_some());
+}

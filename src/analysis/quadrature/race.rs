@@ -46,18 +46,10 @@ pub fn race(
         .iter()
         .map(|f| Runner::new(Cubature::new(*f, false), 1.0));
     let mut rivals: Vec<Runner<'_>> = rivals.collect();
-    for turn in 0.. {
-        let reference = trusted.cubature.sum;
-        let spent: usize = {
-            let all = || rivals.iter().chain([&trusted]);
-            let mut finished = all().filter(|runner| runner.is_within(tolerance));
-            if let Some(done) = finished.find(|runner| runner.is_near(&reference)) {
-                return done.cubature.total();
-            }
-            all().map(|runner| runner.cubature.evaluations).sum()
-        };
-        if spent >= max_evaluations {
-            break;
+    let mut turn = 0_usize;
+    loop {
+        if let Some(integral) = outcome(&trusted, &rivals, tolerance, max_evaluations) {
+            return integral;
         }
         if rivals.iter().any(|rival| rival.is_within(tolerance)) {
             trusted.take_turn(tolerance);
@@ -75,14 +67,30 @@ pub fn race(
         if let Some(next) = everyone.min_by(|a, b| key(a).total_cmp(&key(b))) {
             next.take_turn(tolerance);
         }
+        turn += 1;
     }
+}
+
+/// The integral, as soon as one has it or all may ask for no more.
+fn outcome(
+    trusted: &Runner<'_>,
+    rivals: &[Runner<'_>],
+    tolerance: f64,
+    max_evaluations: usize,
+) -> Option<Integral> {
     let reference = trusted.cubature.sum;
-    let believed = rivals.iter().filter(|rival| rival.is_near(&reference));
-    let best = believed.chain([&trusted]).min_by(|a, b| {
-        let [a, b] = [a, b].map(|runner| runner.cubature.sum.error);
-        a.total_cmp(&b)
-    });
-    best.unwrap_or(&trusted).cubature.total()
+    let all = || rivals.iter().chain([trusted]);
+    let spent: usize = all().map(|runner| runner.cubature.evaluations).sum();
+    let mut believed = all().filter(|runner| runner.is_near(&reference));
+    let found = if spent >= max_evaluations {
+        believed.min_by(|a, b| {
+            let [a, b] = [a, b].map(|runner| runner.cubature.sum.error);
+            a.total_cmp(&b)
+        })
+    } else {
+        believed.find(|runner| runner.is_within(tolerance))
+    };
+    found.map(|runner| runner.result(spent))
 }
 
 /// One of the integrands, and how it got on.
@@ -103,6 +111,14 @@ impl<'a> Runner<'a> {
         };
         runner.note();
         runner
+    }
+
+    /// Its integral, after so many evaluations of all.
+    fn result(&self, evaluations: usize) -> Integral {
+        Integral {
+            evaluations,
+            ..self.cubature.total()
+        }
     }
 
     fn note(&mut self) {

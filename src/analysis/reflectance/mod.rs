@@ -101,7 +101,7 @@ pub fn lobe_shares(
     let continuous = lobes
         .iter()
         .zip(integrals)
-        .map(|(lobe, Integral { value, error })| LobeShare {
+        .map(|(lobe, Integral { value, error, .. })| LobeShare {
             lobe: *lobe,
             value,
             error,

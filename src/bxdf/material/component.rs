@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crate::bxdf::param::{DATA, ParamSet, Value};
+use crate::bxdf::param::{ParamSet, Value};
 use crate::bxdf::spec::{ModelSpec, Precision, StandIn};
 use crate::bxdf::table::Table;
 use crate::bxdf::{Bxdf, models};
@@ -96,14 +96,7 @@ impl Component {
     /// # Errors
     /// [`Error::UnknownId`] for another model; the component is then unchanged.
     pub fn set_table(&mut self, table: Arc<Table>) -> Result<()> {
-        if self.params.table().is_none() {
-            let known = self.params.iter().map(|(spec, _)| spec.name);
-            return Err(Error::unknown("parameter", DATA, known));
-        }
-        self.change(|params| {
-            *params = params.clone().with_table(table);
-            Ok(())
-        })
+        self.change(|params| params.set_table(table))
     }
 
     fn change(&mut self, change: impl FnOnce(&mut ParamSet) -> Result<()>) -> Result<()> {

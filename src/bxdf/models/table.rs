@@ -40,7 +40,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
                 .table()
                 .is_none_or(|table| table.shape().is_isotropic())
         },
-        table: Some(|| Arc::new(Table::flat(FLAT))),
+        takes_table: true,
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,

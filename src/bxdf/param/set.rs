@@ -19,6 +19,8 @@ pub struct ParamSet {
     model: &'static str,
     specs: &'static [ParamSpec],
     values: Vec<Value>,
+    /// Whether the model's values stand in a table.
+    takes_table: bool,
     table: Option<Arc<Table>>,
 }
 
@@ -40,20 +42,33 @@ impl ParamSet {
             model,
             specs,
             values: specs.iter().map(|spec| spec.default).collect(),
+            takes_table: false,
             table: None,
         }
     }
 
-    /// The set of a model whose values stand in a table, with this one.
+    /// The set of a model whose values stand in a table; there is none yet.
     #[must_use]
-    pub fn with_table(self, table: Arc<Table>) -> Self {
+    pub fn taking_table(self) -> Self {
         Self {
-            table: Some(table),
+            takes_table: true,
             ..self
         }
     }
 
-    /// The table, where the model's values stand in one.
+    /// Sets the table of a model whose values stand in one.
+    ///
+    /// # Errors
+    /// [`Error::UnknownId`] for another model; the set is then unchanged.
+    pub fn set_table(&mut self, table: Arc<Table>) -> Result<()> {
+        if !self.takes_table {
+            return Err(self.unknown(DATA));
+        }
+        self.table = Some(table);
+        Ok(())
+    }
+
+    /// The table that was set.
     #[must_use]
     pub fn table(&self) -> Option<&Arc<Table>> {
         self.table.as_ref()
@@ -94,9 +109,8 @@ impl ParamSet {
     /// # Errors
     /// As [`Self::set`], and [`Error::Parameter`] where the text is not of the parameter's kind; [`Error::Parse`] for a table.
     pub fn set_text(&mut self, name: &str, text: &str) -> Result<()> {
-        if name == DATA && self.table.is_some() {
-            self.table = Some(Arc::new(text.parse()?));
-            return Ok(());
+        if name == DATA && self.takes_table {
+            return self.set_table(Arc::new(text.parse()?));
         }
         if name == BOTH_ALPHAS
             && self.index_of(name).is_none()

@@ -33,7 +33,7 @@ pub struct Advice {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost: Option<String>,
     /// The material that it is, where it is one.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "super::is_no_text")]
     pub material: Option<Material>,
 }
 

@@ -122,8 +122,17 @@ pub struct Point {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost: Option<String>,
     /// The material that it is, where it is one.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "is_no_text")]
     pub material: Option<Material>,
+}
+
+/// Whether there is no material, or one whose text is as long as the table it holds.
+#[expect(
+    clippy::ref_option,
+    reason = "serde asks with a reference to the field"
+)]
+fn is_no_text(material: &Option<Material>) -> bool {
+    material.as_ref().is_none_or(Material::holds_table)
 }
 
 impl Point {

@@ -261,7 +261,7 @@ impl App {
         });
         self.tiles = Some(tiles);
         self.session.layout = layout;
-        if let Some((view, format)) = wished {
+        if let Some((view, format)) = wished.or_else(|| self.state.take_wished_file()) {
             self.ask_export(view, format);
         }
     }

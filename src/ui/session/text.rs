@@ -8,7 +8,7 @@ use crate::bxdf::Material;
 use crate::bxdf::material::{file, library};
 use crate::error::{Error, Result};
 
-/// The longest text that is read, in bytes: ten times the largest session.
+/// The longest text that is read, in bytes: room for some large tables.
 pub const MAX_TEXT: usize = 16 << 20;
 
 /// Where pasted text comes from, in errors.

@@ -9,7 +9,7 @@ use glam::DVec3;
 use super::data::Data;
 use super::export::{Format, table};
 use super::memo::{Memo, Same};
-use super::session::{EntryId, MaterialEntry, Materials, Session};
+use super::session::{EntryId, MaterialEntry, Materials, Session, ViewId};
 use super::theme::{Dash, Palette};
 use super::widgets::chart::Mark;
 use super::widgets::pictures::{ColorScale, Textures};
@@ -109,6 +109,8 @@ pub struct ViewState {
     textures: Textures,
     contours: HashMap<EntryId, Memo<(Same<Map>, ColorScale), Lines>>,
     chosen: tradeoff::Chosen,
+    /// A file that a view asks to be written.
+    wished_file: Option<(ViewId, Format)>,
 }
 
 /// Lines of equal value, as places of a picture.
@@ -202,6 +204,11 @@ impl ViewState {
         if !std::mem::take(&mut self.is_dragging) {
             self.kept_lower_half = None;
         }
+    }
+
+    /// The file that a view asks to be written; told once.
+    pub fn take_wished_file(&mut self) -> Option<(ViewId, Format)> {
+        self.wished_file.take()
     }
 
     /// The contours of a map in a scale, computed anew only where one of them is another one.

@@ -279,15 +279,16 @@ fn adaptive(study: &Study<'_>, truth: &Truth, bench: &mut Bench<'_>) -> Result<(
         bench.wanted()?;
         let estimate = || {
             let parts = lobe.integrals(tolerance * truth.rho / lobes, REFERENCE_EVALUATIONS);
-            parts.iter().map(|part| luminance(part.value)).sum::<f64>()
+            let value: f64 = parts.iter().map(|part| luminance(part.value)).sum();
+            let evaluations: usize = parts.iter().map(|part| part.evaluations).sum();
+            (value, evaluations)
         };
-        // About as many values as it takes: they grow with the digits.
-        let size = 1000.0 * (1.0 - tolerance.log10());
-        let cost = bench.time(size, &mut || {
+        let (value, evaluations) = estimate();
+        let cost = bench.time(evaluations as f64, &mut || {
             std::hint::black_box(estimate());
         });
-        let choice = format!("adaptive quadrature to {tolerance:.0e}");
-        let point = point(&choice, None, &[truth.relative(estimate())]);
+        let n = Some(evaluations as u64);
+        let point = point("adaptive quadrature", n, &[truth.relative(value)]);
         bench.point(point.costing(cost));
     }
     Ok(())

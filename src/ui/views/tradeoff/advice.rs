@@ -2,9 +2,12 @@
 
 use egui::{RichText, ScrollArea, Ui};
 
-use super::{ViewContext, choose, plot};
-use crate::lab::tradeoff::{Advice, Report, WHOLE, advise};
+use super::{SPEC, ViewContext, choose, plot};
+use crate::bxdf::Material;
+use crate::lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
+use crate::ui::export::Format;
 use crate::ui::format;
+use crate::ui::session::ViewId;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
     let tolerance = cx.session.views.tradeoff.tolerance;
@@ -59,22 +62,28 @@ fn entry(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report, advice: &Advice
     if let Some(lost) = &advice.lost {
         ui.label(RichText::new(format!("lost: {lost}")).small().weak());
     }
-    if let Some(material) = advice
-        .material
-        .as_ref()
-        .filter(|material| **material != report.material)
+    if let Some(material) = &advice.material
+        && *material != report.material
     {
-        let hint = "Put it into the list of materials, beside the one measured";
-        if ui.small_button("Use it").on_hover_text(hint).clicked() {
-            let family = report.families.iter().find_map(|family| {
-                let of_it = |point: &&crate::lab::tradeoff::Point| {
-                    point.material.as_ref() == Some(material)
-                };
-                family.points.iter().find(of_it)
-            });
-            if let Some(point) = family {
-                choose(cx, point, &report.material);
-            }
+        use_or_save(ui, cx, report, material);
+    }
+}
+
+/// The button that makes a choice a material of the list, or saves it once it is the selected one.
+fn use_or_save(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report, material: &Material) {
+    if cx.session.material().components() == material.components() {
+        let hint = "Write the selected material into a file";
+        if ui.small_button("Save it…").on_hover_text(hint).clicked() {
+            cx.state.wished_file = Some((ViewId::of(&SPEC), Format::Toml));
+        }
+        return;
+    }
+    let hint = "Put it into the list of materials, beside the one measured";
+    if ui.small_button("Use it").on_hover_text(hint).clicked() {
+        let mut points = report.families.iter().flat_map(|family| &family.points);
+        let of_it = |point: &&Point| point.material.as_ref() == Some(material);
+        if let Some(point) = points.find(of_it) {
+            choose(cx, point, &report.material);
         }
     }
 }
