@@ -48,6 +48,7 @@ pub static MODELS: [&ModelSpec; 23] = [
     &ashikhmin_shirley::SPEC,
     &cook_torrance::SPEC,
     &principled::SPEC,
+    &table::SPEC,
     &specular_reflection::SPEC,
     &specular_transmission::SPEC,
     &fresnel_specular::SPEC,
@@ -56,7 +57,6 @@ pub static MODELS: [&ModelSpec; 23] = [
     &hapke::SPEC,
     &velvet::SPEC,
     &charlie_sheen::SPEC,
-    &table::SPEC,
 ];
 
 /// The model to begin with: its lobe shows at once what the direction of the light does.

@@ -22,8 +22,8 @@ use crate::bxdf::param::ParamSet;
 use crate::bxdf::sample_reflection;
 use crate::bxdf::table::Table;
 
-/// What is reflected before a table is read: four fifths, evenly.
-const FLAT: f32 = 0.8 * std::f32::consts::FRAC_1_PI;
+/// What stands in the table before one is read, in 1/sr: four fifths of the light are reflected at most.
+const EVEN: f32 = 0.4 * std::f32::consts::FRAC_1_PI;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -31,7 +31,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     title: "Table",
     source: "Matusik et al. 2003, A Data-Driven Reflectance Model",
     summary: "A surface as values over half vector and difference, and straight lines between them: what was measured, or \
-              another model baked by the trade-off; before a file brings one, the same value everywhere",
+              another model baked by the trade-off; before a file brings one, the law of Lommel and Seeliger",
     lobes: &[Lobe::reflection(Category::GlossySpecular)],
     parameters: &[],
     properties: Properties {
@@ -62,7 +62,7 @@ struct Baked<R> {
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     let table = params
         .table()
-        .map_or_else(|| Arc::new(Table::flat(FLAT)), Arc::clone);
+        .map_or_else(|| Arc::new(Table::even(EVEN)), Arc::clone);
     let alpha = R::of(table.alpha());
     Box::new(Baked {
         normals: Ggx::new(alpha, alpha),

@@ -131,10 +131,9 @@ impl Shape {
         })
     }
 
-    /// The tangent of theta_h at the node `half`.
-    pub(super) fn tan_half(&self, half: usize) -> f64 {
-        let cos = 1.0 - (half as f64 / (self.halves - 1) as f64).powi(4);
-        ((1.0 - cos) * (1.0 + cos)).sqrt() / cos.max(f64::MIN_POSITIVE)
+    /// The cosine of theta_h at the node `half`.
+    pub(super) fn cos_half(&self, half: usize) -> f64 {
+        1.0 - (half as f64 / (self.halves - 1) as f64).powi(4)
     }
 
     /// The cell of `place` along each coordinate, in the order of [`Self::counts`].

@@ -17,20 +17,30 @@ fn at(table: &Table, [theta_o, phi_o, theta_i, phi_i]: [f64; 4]) -> [f64; 3] {
 }
 
 #[test]
-fn what_is_the_same_everywhere_stays_so() {
-    let table = baked("lambertian_reflection:reflectance=.1/.5/.9", 4);
+fn the_law_of_lommel_and_seeliger_is_the_same_everywhere() {
+    let table = Table::even(0.1);
     for angles in [
         [0.0, 0.0, 0.0, 0.0],
         [30.0, 10.0, 60.0, 200.0],
         [89.9, 0.0, 89.9, 90.0],
     ] {
+        let [theta_o, _, theta_i, _] = angles.map(f64::to_radians);
+        let exact = f64::from(0.1_f32) / (theta_o.cos() + theta_i.cos());
         let value = at(&table, angles);
-        for (value, reflectance) in value.into_iter().zip([0.1, 0.5, 0.9]) {
-            let exact = reflectance * std::f64::consts::FRAC_1_PI;
-            assert!((value / exact - 1.0).abs() < 1e-6, "{angles:?} {value}");
-        }
+        assert!(
+            value.iter().all(|x| (x / exact - 1.0).abs() < 1e-12),
+            "{value:?}"
+        );
     }
-    assert_eq!(table.alpha(), 1.0);
+}
+
+#[test]
+fn colours_are_kept_and_a_diffuse_surface_is_wide() {
+    let table = baked("lambertian_reflection:reflectance=.1/.5/.9", 64);
+    let [r, g, b] = at(&table, [30.0, 10.0, 60.0, 200.0]);
+    assert!((g / r - 5.0).abs() < 1e-5 && (b / r - 9.0).abs() < 1e-5);
+    assert!((r * std::f64::consts::PI - 0.1).abs() < 1e-4, "{r}");
+    assert!(table.alpha() > 0.7);
 }
 
 #[test]
@@ -101,7 +111,7 @@ fn text_brings_a_table_back() {
         let line = text.parse::<Table>().unwrap_err().to_string();
         assert!(line.contains(expected) && !line.contains('\n'), "{line}");
     }
-    let bad = Table::flat(1.0).to_string().replace("AACAP", "AADAf");
+    let bad = Table::even(1.0).to_string().replace("AACAP", "AADAf");
     let line = bad.parse::<Table>().unwrap_err().to_string();
     assert!(line.contains("a value of NaN"), "{line}");
 }
