@@ -222,11 +222,13 @@ pub struct StandIn {
     pub replace: fn(&ParamSet) -> Option<String>,
 }
 
-/// The constructors of a model, one per precision: the same generic function three times.
+/// The constructors of a model, one per precision: the same generic function each time.
 #[derive(Clone, Copy)]
 pub struct Builders {
     /// In `f32`, with polynomials for the elementary functions.
     pub f32: fn(&ParamSet) -> Box<dyn Bxdf<Fast<f32>>>,
+    /// In `f32`, with the elementary functions of the system's library: to measure what the polynomials change.
+    pub library: fn(&ParamSet) -> Box<dyn Bxdf<f32>>,
     /// In `f64`.
     pub f64: fn(&ParamSet) -> Box<dyn Bxdf<f64>>,
     /// In the reference precision.

@@ -222,6 +222,7 @@ pub fn faulty<const FAULT: usize>(properties: Properties) -> ModelSpec {
         validate: ModelSpec::any,
         builders: Builders {
             f32: build::<Fast<f32>, FAULT>,
+            library: build::<f32, FAULT>,
             f64: build::<f64, FAULT>,
             reference: build::<xprec::Df64, FAULT>,
         },

@@ -162,7 +162,7 @@ pub(in crate::bxdf) fn run<R: Real, B: Bxdf<R> + ?Sized>(
     job: Job<'_, R::Stored>,
 ) {
     match job {
-        job if R::VECTORISES && path == Path::Dispatched => dispatch(bxdf, job),
+        job if R::DISPATCHES && path == Path::Dispatched => dispatch(bxdf, job),
         job => work(bxdf, job),
     }
 }

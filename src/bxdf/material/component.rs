@@ -113,6 +113,12 @@ impl Component {
         self.model.build(&self.params)
     }
 
+    /// The model in `f32` with the functions of the system's library in place of polynomials, without the weight.
+    #[must_use]
+    pub fn build_with_library(&self) -> Box<dyn Bxdf<f32>> {
+        (self.model.builders.library)(&self.params)
+    }
+
     /// Whether its lobe is declared to stay as it is when the surface turns about n.
     #[must_use]
     pub fn is_isotropic(&self) -> bool {

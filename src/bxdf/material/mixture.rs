@@ -3,7 +3,7 @@
 use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::optics::Spectrum;
-use crate::bxdf::spec::{Lobe, Precision};
+use crate::bxdf::spec::Lobe;
 use crate::bxdf::{Bxdf, Delta, Deltas, Sample, Side};
 
 use super::mixed_batch::{run_mixture, weighed};
@@ -39,16 +39,19 @@ pub(super) struct Mixture<R> {
     owners: Vec<(usize, usize)>,
 }
 
-impl<R: Precision> Mixture<R> {
-    /// The sum of `components`.
-    pub(super) fn new(components: &[Component]) -> Self {
+impl<R: Real> Mixture<R> {
+    /// The sum of `components`, each made by `build`.
+    pub(super) fn new(
+        components: &[Component],
+        build: impl Fn(&Component) -> Box<dyn Bxdf<R>>,
+    ) -> Self {
         let mut mixture = Self {
             parts: Vec::new(),
             lobes: Vec::new(),
             owners: Vec::new(),
         };
         for component in components {
-            let bxdf = component.build::<R>();
+            let bxdf = build(component);
             for (index, lobe) in bxdf.lobes().iter().enumerate() {
                 let name = if lobe.name.is_empty() {
                     component.model().title

@@ -109,7 +109,19 @@ impl Material {
     pub fn build<R: Precision>(&self) -> Box<dyn Bxdf<R>> {
         match self.only() {
             Some(only) => only.build(),
-            None => Box::new(Mixture::new(&self.components)),
+            None => Box::new(Mixture::new(&self.components, Component::build)),
+        }
+    }
+
+    /// The material in `f32` with the functions of the system's library in place of polynomials.
+    #[must_use]
+    pub fn build_with_library(&self) -> Box<dyn Bxdf<f32>> {
+        match self.only() {
+            Some(only) => only.build_with_library(),
+            None => Box::new(Mixture::new(
+                &self.components,
+                Component::build_with_library,
+            )),
         }
     }
 

@@ -25,6 +25,9 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     /// Whether loops over it can be compiled for wide registers.
     const VECTORISES: bool;
 
+    /// Whether they are, for the widest that a machine has.
+    const DISPATCHES: bool;
+
     /// Whether loops with elementary functions can, too.
     const FUNCTIONS_VECTORISE: bool;
 
@@ -148,6 +151,8 @@ impl Real for f32 {
     type Stored = Self;
     const NAME: &'static str = "f32";
     const VECTORISES: bool = true;
+    // Plain `f32` is what the library's functions are measured with: those are no loops.
+    const DISPATCHES: bool = false;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
     const SQUARABLE: f64 = power_of_two(-60);
@@ -188,6 +193,7 @@ impl Real for f64 {
     type Stored = Self;
     const NAME: &'static str = "f64";
     const VECTORISES: bool = true;
+    const DISPATCHES: bool = true;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
     const SQUARABLE: f64 = power_of_two(-400);
@@ -233,6 +239,7 @@ impl Real for Df64 {
     type Stored = Self;
     const NAME: &'static str = "reference";
     const VECTORISES: bool = false;
+    const DISPATCHES: bool = false;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON * f64::EPSILON / 4.0;
     const SQUARABLE: f64 = f64::SQUARABLE;

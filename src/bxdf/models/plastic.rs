@@ -91,6 +91,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     validate,
     builders: Builders {
         f32: build,
+        library: build,
         f64: build,
         reference: build,
     },

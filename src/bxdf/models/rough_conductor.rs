@@ -80,6 +80,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     },
     builders: Builders {
         f32: build,
+        library: build,
         f64: build,
         reference: build,
     },

@@ -51,6 +51,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     validate,
     builders: Builders {
         f32: build,
+        library: build,
         f64: build,
         reference: build,
     },

@@ -46,6 +46,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     validate: ModelSpec::any,
     builders: Builders {
         f32: build,
+        library: build,
         f64: build,
         reference: build,
     },

@@ -51,10 +51,17 @@ impl Family for Precisions {
             let values = |pairs: &[(DVec3, DVec3)]| values_in(&*single, path, pairs);
             add(bench, name, &values, cost);
         }
+        let library = study.material.build_with_library();
+        let mut batch = Batch::<f32>::new(pairs);
+        let cost = bench
+            .time(1.5 * n, &mut || batch.run(&*library, Path::Plain))
+            .over(n);
+        let values = |pairs: &[(DVec3, DVec3)]| values_in(&*library, Path::Plain, pairs);
+        add(bench, "f32, library functions, plain", &values, cost);
         bench.at(0.2)?;
         for (name, path) in [
-            ("f64, widest registers", Path::Dispatched),
-            ("f64, plain", Path::Plain),
+            ("f64, library functions, widest registers", Path::Dispatched),
+            ("f64, library functions, plain", Path::Plain),
         ] {
             let mut batch = Batch::<f64>::new(pairs);
             let cost = bench

@@ -97,14 +97,28 @@ fn digits_cost_what_they_are_worth() {
     let found = family("rough_conductor", "precision");
     let error = |choice| point(&found, choice).error_rms;
     assert_eq!(error("double-double"), 0.0);
-    let (single, double) = (error("f32, polynomials, widest"), error("f64, widest"));
+    let (single, double) = (
+        error("f32, polynomials, widest"),
+        error("f64, library functions, widest"),
+    );
     assert!(single > 1e-9 && single < 1e-5, "{single}");
     assert!(double > 0.0 && double < 1e-13, "{double}");
     assert_eq!(
-        error("f64, plain"),
+        error("f64, library functions, plain"),
         double,
         "the same formula, the same numbers"
     );
+}
+
+#[test]
+fn polynomials_are_as_good_as_the_library_and_not_the_same() {
+    // Its tail is an exponential.
+    let found = family("rough_conductor:distribution=beckmann", "precision");
+    let error = |choice| point(&found, choice).error_rms;
+    let polynomials = error("f32, polynomials, plain");
+    let library = error("f32, library functions, plain");
+    assert!(library > 1e-9 && polynomials != library, "{library}");
+    assert!(polynomials < 2.0 * library, "{polynomials} {library}");
 }
 
 #[test]

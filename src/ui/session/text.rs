@@ -9,7 +9,7 @@ use crate::bxdf::material::{file, library};
 use crate::error::{Error, Result};
 
 /// The longest text that is read, in bytes: room for some large tables.
-pub const MAX_TEXT: usize = 16 << 20;
+pub const MAX_TEXT: usize = 8 << 20;
 
 /// Where pasted text comes from, in errors.
 const PLACE: &str = "clipboard";
