@@ -26,7 +26,7 @@ const SHORTEST: f64 = 1e-7;
 const MAX_TRIANGLES: usize = 30_000;
 
 /// The same of a coarse mesh: some milliseconds' worth.
-const MAX_COARSE_TRIANGLES: usize = 3_000;
+const MAX_COARSE_TRIANGLES: usize = 2_000;
 
 /// At most this many rounds of halving; the narrowest lobe takes about 20.
 const MAX_ROUNDS: u32 = 32;

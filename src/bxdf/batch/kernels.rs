@@ -32,8 +32,16 @@ impl<R: Real> Kernel<R, 6, 3> for Values {
         [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
         [r, g, b]: [&mut Block<R::Stored>; 3],
     ) {
-        let f = |wo, wi| bxdf.f(wo, wi);
-        values(f, [ox, oy, oz], [ix, iy, iz], r, g, b);
+        // Inlined, or the loop is one of calls.
+        values(
+            #[inline(always)]
+            |wo, wi| bxdf.f(wo, wi),
+            [ox, oy, oz],
+            [ix, iy, iz],
+            r,
+            g,
+            b,
+        );
     }
 }
 
@@ -48,8 +56,16 @@ impl<R: Real> Kernel<R, 6, 3> for LobeValues {
         [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
         [r, g, b]: [&mut Block<R::Stored>; 3],
     ) {
-        let f = |wo, wi| bxdf.lobe_f(self.0, wo, wi);
-        values(f, [ox, oy, oz], [ix, iy, iz], r, g, b);
+        // Inlined, or the loop is one of calls.
+        values(
+            #[inline(always)]
+            |wo, wi| bxdf.lobe_f(self.0, wo, wi),
+            [ox, oy, oz],
+            [ix, iy, iz],
+            r,
+            g,
+            b,
+        );
     }
 }
 
