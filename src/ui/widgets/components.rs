@@ -74,15 +74,21 @@ fn describe(ui: &mut Ui, material: &mut Material) {
         return;
     }
     let mut is_reset = false;
-    ui.horizontal(|ui| {
+    let heading = |ui: &mut Ui| {
         let name = ui.label(RichText::new(&material.name).heading());
         hint_source(name, material);
-        if let Some(named) = library::origin(material) {
+    };
+    if let Some(named) = library::origin(material) {
+        ui.horizontal(|ui| {
+            heading(ui);
             let is_edited = named.material != *material;
             let hint = "Reset to the material of the list";
             is_reset = reset_all(ui, &material.name, is_edited, hint);
-        }
-    });
+        });
+    } else {
+        // A name of the user's own may take several lines.
+        heading(ui);
+    }
     if !material.note.is_empty() {
         let note = ui.label(&material.note);
         hint_source(note, material);
