@@ -3,13 +3,13 @@
 //! # Source
 //! Rusinkiewicz 1998 (`rusinkiewicz1998`): half vector and difference; Matusik et al. 2003 (`matusik2003`): places along
 //! the half vector's angle by its square root, closest where highlights are. Angles are measured without trigonometry, by
-//! the coordinates of [`coordinates`].
+//! coordinates that are all but in proportion to them.
 //!
 //! # Departures
 //! A table holds f times the sum of both cosines, which is bounded and smooth towards the horizon where f rises without
 //! bound (a mean error some ten times smaller for rough surfaces than that of f itself). It is read linearly between nodes. A
-//! node whose directions are not both above the horizon, as half of all are,
-//! holds the value of the pair lifted to just above it, so that a cell which the horizon cuts is read like any other. What
+//! node whose directions are not both above the horizon, as half of all are, holds the value of the pair lifted to just
+//! above it, so that a cell which the horizon cuts is read like any other. What
 //! a table holds is reciprocal, and what it holds without turns is symmetric about the plane of incidence, whatever it was
 //! made of.
 

@@ -64,9 +64,7 @@ impl Subject {
         }
     }
 
-    /// The three channels of `f` and the density at `pairs` (wo, wi), in `f64`: what [`Quantity::ALL`] lists.
-    ///
-    /// [`Quantity::ALL`]: super::statistics::Quantity::ALL
+    /// The three channels of `f` and the density at `pairs` (wo, wi), in `f64`: the order of a law's quantities.
     #[must_use]
     pub fn values(&self, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 4]> {
         let components = |pick: fn(&(DVec3, DVec3)) -> DVec3| {
