@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{CostUnit, FamilyReport, Point, Report};
+use super::{FamilyReport, Point, Report};
 use crate::bxdf::Material;
 
 /// Tolerances for which advice is given where none is asked for: relative errors, root mean square.
@@ -51,12 +51,10 @@ pub fn advise(report: &Report, tolerance: f64) -> Vec<Advice> {
 /// The choices for the material as it is used: the number formats of the exact material, and its stand-ins with the error
 /// that they have in the precision in which their cost was measured.
 fn whole(families: &[FamilyReport]) -> Vec<Point> {
-    let evaluated = families
-        .iter()
-        .filter(|family| family.cost_unit == CostUnit::Evaluation);
-    let points = evaluated.flat_map(|family| &family.points);
+    let of_material = families.iter().filter(|family| family.is_of_material);
+    let points = of_material.flat_map(|family| &family.points);
     let as_used = |point: &Point| {
-        // A stand-in that is the material itself stands among the number formats already.
+        // What is the material itself stands among the number formats already.
         let is_exact = point.error_rms_f32.is_some() && point.lost.is_none();
         (!is_exact).then(|| Point {
             error_rms: point.error_rms_f32.unwrap_or(point.error_rms),

@@ -71,6 +71,7 @@ impl Bench<'_> {
             reference: String::new(),
             not_applicable: None,
             cost_unit: family.cost_unit(),
+            is_of_material: family.is_of_material(),
             points: Vec::new(),
             slopes: Slopes::new(),
         });

@@ -54,6 +54,12 @@ pub trait Family: Sync {
     /// What its costs are of.
     fn cost_unit(&self) -> CostUnit;
 
+    /// Whether its choices are ways to evaluate the material as it is given, held against that: advice for the material as a
+    /// whole is chosen among them.
+    fn is_of_material(&self) -> bool {
+        false
+    }
+
     /// How long it takes to measure, in any unit common to all: for the progress.
     fn share(&self) -> f64;
 
@@ -201,6 +207,9 @@ pub struct FamilyReport {
     pub not_applicable: Option<String>,
     /// What its costs are of.
     pub cost_unit: CostUnit,
+    /// See [`Family::is_of_material`].
+    #[serde(skip)]
+    pub is_of_material: bool,
     /// The points, choice by choice.
     pub points: Vec<Point>,
     /// The exponent of the number of samples with which the error of each choice falls; none where it has no number, or no

@@ -25,6 +25,10 @@ impl Family for Precisions {
         CostUnit::Evaluation
     }
 
+    fn is_of_material(&self) -> bool {
+        true
+    }
+
     fn share(&self) -> f64 {
         1.0
     }

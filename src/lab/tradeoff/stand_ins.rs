@@ -30,6 +30,10 @@ impl Family for StandIns {
         CostUnit::Evaluation
     }
 
+    fn is_of_material(&self) -> bool {
+        true
+    }
+
     fn share(&self) -> f64 {
         1.0
     }

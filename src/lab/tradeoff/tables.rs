@@ -37,6 +37,10 @@ impl Family for Tables {
         CostUnit::Evaluation
     }
 
+    fn is_of_material(&self) -> bool {
+        true
+    }
+
     fn share(&self) -> f64 {
         1.0
     }
@@ -64,7 +68,10 @@ impl Family for Tables {
             .over(n);
         let values = |pairs: &[(DVec3, DVec3)]| values_in(&*formula, Path::Dispatched, pairs);
         let point = Point::new("formula, f32").with_errors(baseline.errors(&values));
-        bench.point(point.costing(cost));
+        bench.point(Point {
+            error_rms_f32: Some(point.error_rms),
+            ..point.costing(cost)
+        });
         for (index, shape) in shapes.iter().enumerate() {
             bench.at(index as f64 / shapes.len() as f64)?;
             // What is too large stands in the text of the reference.
