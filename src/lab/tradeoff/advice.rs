@@ -51,12 +51,13 @@ pub fn advise(report: &Report, tolerance: f64) -> Vec<Advice> {
 /// The choices for the material as it is used: the number formats of the exact material, and its stand-ins with the error
 /// that they have in the precision in which their cost was measured.
 fn whole(families: &[FamilyReport]) -> Vec<Point> {
-    let of_material = families.iter().filter(|family| family.is_of_material);
-    let points = of_material.flat_map(|family| &family.points);
+    let of_material = || families.iter().filter(|family| family.is_of_material);
+    // Number formats: what they say of the material itself need not be said again.
+    let is_format = |point: &Point| point.error_rms_f32.is_none() && point.lost.is_none();
+    let has_formats = of_material().any(|family| family.points.iter().any(is_format));
     let as_used = |point: &Point| {
-        // What is the material itself stands among the number formats already.
-        let is_exact = point.error_rms_f32.is_some() && point.lost.is_none();
-        (!is_exact).then(|| Point {
+        let is_itself = point.error_rms_f32.is_some() && point.lost.is_none();
+        (!(is_itself && has_formats)).then(|| Point {
             error_rms: point.error_rms_f32.unwrap_or(point.error_rms),
             choice: match point.error_rms_f32 {
                 Some(_) => format!("{}, in f32", point.choice),
@@ -65,6 +66,7 @@ fn whole(families: &[FamilyReport]) -> Vec<Point> {
             ..point.clone()
         })
     };
+    let points = of_material().flat_map(|family| &family.points);
     points.filter_map(as_used).collect()
 }
 

@@ -245,3 +245,25 @@ fn error_on_a_grid(exact: &Material, choice: &Material) -> f64 {
     }
     (difference / square).sqrt()
 }
+
+#[test]
+fn a_material_without_a_cheaper_choice_is_advised_as_it_is() {
+    // Alone, the stand-ins must name the material itself; with number formats beside them, those do.
+    let found = report("eon", "stand_ins");
+    let whole = |report: &Report| {
+        let mut advice = advise(report, 1e-6).into_iter();
+        advice.find(|one| one.family == WHOLE).unwrap()
+    };
+    let alone = whole(&found);
+    assert!(
+        alone.met && alone.choice.starts_with("as it is"),
+        "{alone:?}"
+    );
+    let mut both = report("eon", "precision");
+    both.families.extend(found.families);
+    let advice = whole(&both);
+    assert!(
+        advice.met && advice.choice.starts_with("f32, "),
+        "{advice:?}"
+    );
+}
