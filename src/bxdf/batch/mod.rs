@@ -161,9 +161,10 @@ pub(in crate::bxdf) fn run<R: Real, B: Bxdf<R> + ?Sized>(
     path: Path,
     job: Job<'_, R::Stored>,
 ) {
-    match job {
-        job if R::DISPATCHES && path == Path::Dispatched => dispatch(bxdf, job),
-        job => work(bxdf, job),
+    if R::DISPATCHES && path == Path::Dispatched {
+        dispatch(bxdf, job);
+    } else {
+        plain(bxdf, job);
     }
 }
 
@@ -172,15 +173,16 @@ fn dispatch<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
     let level = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
-        if let Some(avx512) = level.as_avx512() {
+        let is_wide = R::DISPATCHES_LOBES || !matches!(job, Job::LobeF { .. } | Job::Lobe { .. });
+        if is_wide && let Some(avx512) = level.as_avx512() {
             return work_with(avx512, bxdf, job);
         }
-        if let Some(avx2) = level.as_avx2() {
+        if is_wide && let Some(avx2) = level.as_avx2() {
             return work_with(avx2, bxdf, job);
         }
     }
     let _ = level;
-    work(bxdf, job);
+    plain(bxdf, job);
 }
 
 /// The name of the instruction set that [`Path::Dispatched`] uses on this machine.
@@ -194,11 +196,27 @@ pub fn instruction_set() -> String {
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[simd]
 fn work_with<S: Simd, R: Real, B: Bxdf<R> + ?Sized>(_: S, bxdf: &B, job: Job<'_, R::Stored>) {
-    work(bxdf, job);
+    if let Some(job) = work(bxdf, job)
+        && R::DISPATCHES_LOBES
+    {
+        work_on_lobe(bxdf, job);
+    }
 }
 
+/// Works as every machine of its kind can. Compiled once, whoever calls it.
+#[inline(never)]
+fn plain<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
+    if let Some(job) = work(bxdf, job) {
+        work_on_lobe(bxdf, job);
+    }
+}
+
+/// Does what is asked of the whole, and returns what is asked of one lobe.
 #[inline(always)]
-fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
+fn work<'a, R: Real, B: Bxdf<R> + ?Sized>(
+    bxdf: &B,
+    job: Job<'a, R::Stored>,
+) -> Option<Job<'a, R::Stored>> {
     match job {
         Job::F { wo, wi, f } => in_blocks(&Values, bxdf, pairs(wo, wi), f),
         Job::Pdf { wo, wi, pdf } => in_blocks(&Densities, bxdf, pairs(wo, wi), [pdf]),
@@ -207,7 +225,6 @@ fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
             let kernel = ValuesAndDensities;
             in_blocks(&kernel, bxdf, pairs(wo, wi), [r, g, b, pdf]);
         }
-        Job::LobeF { index, wo, wi, f } => in_blocks(&LobeValues(index), bxdf, pairs(wo, wi), f),
         Job::Sample {
             wo,
             uc,
@@ -222,6 +239,16 @@ fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
             let out = [ix, iy, iz, r, g, b, pdf, delta];
             in_blocks(&Samples, bxdf, [x, y, z, uc, u, v], out);
         }
+        job @ (Job::LobeF { .. } | Job::Lobe { .. }) => return Some(job),
+    }
+    None
+}
+
+/// Does what is asked of one lobe.
+#[inline(always)]
+fn work_on_lobe<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
+    match job {
+        Job::LobeF { index, wo, wi, f } => in_blocks(&LobeValues(index), bxdf, pairs(wo, wi), f),
         Job::Lobe {
             index,
             is_incident,
@@ -235,6 +262,7 @@ fn work<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
             let kernel = LobeSamples { index, is_incident };
             in_blocks(&kernel, bxdf, [x, y, z, u, v], [fx, fy, fz, r, g, b]);
         }
+        Job::F { .. } | Job::Pdf { .. } | Job::FPdf { .. } | Job::Sample { .. } => {}
     }
 }
 

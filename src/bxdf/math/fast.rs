@@ -218,6 +218,7 @@ impl Real for Fast<f32> {
     const NAME: &'static str = f32::NAME;
     const VECTORISES: bool = true;
     const DISPATCHES: bool = true;
+    const DISPATCHES_LOBES: bool = false;
     const FUNCTIONS_VECTORISE: bool = true;
     const UNIT_ROUNDOFF: f64 = f32::UNIT_ROUNDOFF;
     const SQUARABLE: f64 = f32::SQUARABLE;

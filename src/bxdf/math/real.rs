@@ -28,6 +28,9 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     /// Whether they are, for the widest that a machine has.
     const DISPATCHES: bool;
 
+    /// Whether those over one lobe are, too: only where lobes are integrated.
+    const DISPATCHES_LOBES: bool;
+
     /// Whether loops with elementary functions can, too.
     const FUNCTIONS_VECTORISE: bool;
 
@@ -153,6 +156,7 @@ impl Real for f32 {
     const VECTORISES: bool = true;
     // Plain `f32` is what the library's functions are measured with: those are no loops.
     const DISPATCHES: bool = false;
+    const DISPATCHES_LOBES: bool = false;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
     const SQUARABLE: f64 = power_of_two(-60);
@@ -194,6 +198,7 @@ impl Real for f64 {
     const NAME: &'static str = "f64";
     const VECTORISES: bool = true;
     const DISPATCHES: bool = true;
+    const DISPATCHES_LOBES: bool = true;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
     const SQUARABLE: f64 = power_of_two(-400);
@@ -240,6 +245,7 @@ impl Real for Df64 {
     const NAME: &'static str = "reference";
     const VECTORISES: bool = false;
     const DISPATCHES: bool = false;
+    const DISPATCHES_LOBES: bool = false;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON * f64::EPSILON / 4.0;
     const SQUARABLE: f64 = f64::SQUARABLE;
