@@ -193,6 +193,9 @@ pub struct Properties {
     pub declarations: &'static [Declaration],
     /// Whether its values stand in a table.
     pub takes_table: bool,
+    /// By what factor errors exceed what the stability law allows: 1 for models that keep it; else the reason stands in their
+    /// `# Validity`.
+    pub stability_ratio: f64,
 }
 
 impl Properties {
@@ -202,6 +205,7 @@ impl Properties {
         relative_index: |_| 1.0,
         declarations: &[],
         takes_table: false,
+        stability_ratio: 1.0,
     };
 
     /// Isotropic where `alpha_x` = `alpha_y`, else as [`Self::PLAIN`].

@@ -1,4 +1,4 @@
-//! `check`: the laws of the contract, for a material or for every model.
+//! `check`: the laws of the contract, and the extremes, for a material or for every model.
 
 use std::fmt::Write as _;
 
@@ -9,8 +9,10 @@ use super::output;
 use crate::bxdf::models::MODELS;
 use crate::error::Result;
 use crate::lab::contract::{Effort, LawReport, check_all, check_material};
+use crate::lab::stability::{Extent, Extreme, examine_all, examine_material, table};
 
 #[derive(clap::Args)]
+#[expect(clippy::struct_excessive_bools, reason = "flags of the command line")]
 pub(super) struct Arguments {
     /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
     #[arg(value_parser = args::material, required_unless_present = "all", conflicts_with = "all")]
@@ -18,6 +20,15 @@ pub(super) struct Arguments {
     /// Check every model over a sweep of its parameters
     #[arg(long)]
     all: bool,
+    /// Only go to the extremes: where floating point gives out
+    #[arg(long)]
+    extremes: bool,
+    /// So many more random points of all models together, in f32 and in f64 alone
+    #[arg(long, value_name = "N", default_value_t = Extent::FULL.crowd, conflicts_with = "material")]
+    points: u64,
+    /// Print the worst of each model as the table of the documentation
+    #[arg(long, conflicts_with_all = ["material", "json"])]
+    markdown: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -36,6 +47,7 @@ struct Report {
 struct Model {
     id: String,
     laws: Vec<LawReport>,
+    extremes: Vec<Extreme>,
 }
 
 /// How many laws came out how.
@@ -45,6 +57,8 @@ struct Summary {
     declared: usize,
     violated: usize,
     misdeclared: usize,
+    /// Extremes where a result is not finite, negative or misplaced, or an error exceeds its bound.
+    unstable: usize,
 }
 
 /// Prints the reports. Returns whether every law holds or is rightly declared.
@@ -52,34 +66,54 @@ struct Summary {
 /// # Errors
 /// Where standard output cannot be written.
 pub(super) fn run(arguments: &Arguments) -> Result<bool> {
+    let laws_too = !arguments.extremes;
     let models = match &arguments.material {
         Some(given) => {
             let material = given.checked();
+            let laws = laws_too.then(|| check_material(material, Effort::Thorough));
             vec![Model {
                 id: material.to_string(),
-                laws: check_material(material, Effort::Thorough),
+                laws: laws.unwrap_or_default(),
+                extremes: examine_material(material),
             }]
         }
-        None => MODELS
-            .into_iter()
-            .zip(check_all(&MODELS, Effort::Quick))
-            .map(|(model, laws)| Model {
-                id: model.id.to_owned(),
-                laws,
-            })
-            .collect(),
+        None => every_model(laws_too, arguments.points),
     };
     let report = Report {
         machine: machine(),
         summary: Summary::of(&models),
         models,
     };
-    if arguments.json {
+    if arguments.markdown {
+        output::print(&report.worst_of_models())?;
+    } else if arguments.json {
         output::print_json(&report)?;
     } else {
         output::print(&report.table())?;
     }
-    Ok(report.summary.violated + report.summary.misdeclared == 0)
+    Ok(report.summary.is_pass())
+}
+
+fn every_model(laws_too: bool, points: u64) -> Vec<Model> {
+    let laws = if laws_too {
+        check_all(&MODELS, Effort::Quick)
+    } else {
+        vec![Vec::new(); MODELS.len()]
+    };
+    let extent = Extent {
+        crowd: points,
+        ..Extent::FULL
+    };
+    let extremes = examine_all(&MODELS, extent);
+    let found = laws.into_iter().zip(extremes);
+    let named = MODELS.into_iter().zip(found);
+    named
+        .map(|(model, (laws, extremes))| Model {
+            id: model.id.to_owned(),
+            laws,
+            extremes,
+        })
+        .collect()
 }
 
 /// The kind of machine the check ran on; the results do not depend on it, the time does.
@@ -104,14 +138,46 @@ impl Summary {
             };
             *count += 1;
         }
+        let extremes = models.iter().flat_map(|model| &model.extremes);
+        summary.unstable = extremes.filter(|extreme| !extreme.is_stable()).count();
         summary
+    }
+
+    fn is_pass(&self) -> bool {
+        self.violated + self.misdeclared + self.unstable == 0
     }
 }
 
 impl Report {
     fn table(&self) -> String {
-        let mut text = String::new();
         // Writing to a string cannot fail.
+        let mut text = String::new();
+        if self.models.iter().any(|model| !model.laws.is_empty()) {
+            self.write_laws(&mut text);
+        }
+        self.write_extremes(&mut text);
+        let Summary {
+            ok,
+            declared,
+            violated,
+            misdeclared,
+            unstable,
+        } = self.summary;
+        let _ = writeln!(
+            text,
+            "{ok} ok, {declared} declared, {violated} violated, {misdeclared} misdeclared; {unstable} extremes unstable"
+        );
+        text
+    }
+
+    /// The table of the documentation: every model is there.
+    fn worst_of_models(&self) -> String {
+        let found = self.models.iter().map(|model| &model.extremes[..]);
+        let models: Vec<_> = MODELS.into_iter().zip(found).collect();
+        table::table(&models)
+    }
+
+    fn write_laws(&self, text: &mut String) {
         let _ = writeln!(
             text,
             "{:<26} {:<14} {:<12} {:>10} {:>10} {:>9}",
@@ -130,16 +196,38 @@ impl Report {
                 }
             }
         }
-        let Summary {
-            ok,
-            declared,
-            violated,
-            misdeclared,
-        } = self.summary;
+    }
+
+    fn write_extremes(&self, text: &mut String) {
         let _ = writeln!(
             text,
-            "{ok} ok, {declared} declared, {violated} violated, {misdeclared} misdeclared"
+            "{:<26} {:<15} {:<9} {:>9} {:>10} {:>9} {:>9}",
+            "model", "extreme", "precision", "n", "error", "of bound", "faults"
         );
-        text
+        for model in &self.models {
+            for extreme in &model.extremes {
+                let _ = writeln!(
+                    text,
+                    "{:<26} {:<15} {:<9} {:>9} {:>10.2e} {:>9.3} {:>9}",
+                    model.id,
+                    extreme.case.id(),
+                    extreme.precision,
+                    extreme.n,
+                    extreme.max_rel_error,
+                    extreme.max_bound_ratio,
+                    extreme.faults()
+                );
+                if let Some(worst) = extreme.worst.as_ref().filter(|_| !extreme.is_stable()) {
+                    let _ = writeln!(
+                        text,
+                        "    {} at {}: wo {:?} wi {:?}",
+                        worst.what,
+                        worst.params,
+                        worst.wo.to_array(),
+                        worst.wi.to_array()
+                    );
+                }
+            }
+        }
     }
 }

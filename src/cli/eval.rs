@@ -50,7 +50,7 @@ fn evaluate<R: Precision>(arguments: &Arguments) -> Result<()> {
     let mut table = Table::open(&arguments.output, &header)?;
     let mut normalised = 0_u64;
     let mut chunk = Chunk::<R>::default();
-    while let Some(row) = rows.next()? {
+    while let Some(row) = rows.next_row()? {
         normalised += u64::from(row.was_normalised);
         chunk.push(&row);
         if chunk.texts.len() == ROWS {

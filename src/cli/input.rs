@@ -13,7 +13,7 @@ use crate::bxdf::math::Vec3;
 use crate::error::{Error, Result};
 
 /// The columns read, by name.
-pub(super) const COLUMNS: [&str; 6] = ["wo_x", "wo_y", "wo_z", "wi_x", "wi_y", "wi_z"];
+pub const COLUMNS: [&str; 6] = ["wo_x", "wo_y", "wo_z", "wi_x", "wi_y", "wi_z"];
 
 /// How far the squared length of a unit vector may be from 1: coordinates written with 7 digits pass.
 const UNIT_TOLERANCE: f64 = 1e-6;
@@ -22,19 +22,19 @@ const UNIT_TOLERANCE: f64 = 1e-6;
 const MAX_LINE_BYTES: usize = 1 << 20;
 
 /// A pair of directions, and how they were written.
-pub(super) struct Row<'a> {
+pub struct Row<'a> {
     /// The six fields in the order of [`COLUMNS`], as they were written.
-    pub(super) texts: [&'a str; 6],
+    pub texts: [&'a str; 6],
     /// The direction to the viewer, a unit vector.
-    pub(super) wo: DVec3,
+    pub wo: DVec3,
     /// The direction to the light, a unit vector.
-    pub(super) wi: DVec3,
+    pub wi: DVec3,
     /// Whether one of them had to be normalised.
-    pub(super) was_normalised: bool,
+    pub was_normalised: bool,
 }
 
 /// Reads rows one by one.
-pub(super) struct Rows {
+pub struct Rows {
     reader: csv::Reader<DataLines<Box<dyn BufRead>>>,
     record: ByteRecord,
     columns: [usize; 6],
@@ -47,15 +47,19 @@ impl Rows {
     ///
     /// # Errors
     /// [`Error::Io`], and [`Error::Parse`] where a column is missing or stands twice.
-    pub(super) fn open(path: &Path) -> Result<Self> {
+    pub fn open(path: &Path) -> Result<Self> {
         if is_standard_stream(path) {
-            return Self::new(Box::new(io::stdin().lock()), "standard input".into());
+            return Self::read(Box::new(io::stdin().lock()), "standard input".into());
         }
         let file = File::open(path).map_err(|source| Error::io(path, source))?;
-        Self::new(Box::new(BufReader::new(file)), path.to_owned())
+        Self::read(Box::new(BufReader::new(file)), path.to_owned())
     }
 
-    fn new(source: Box<dyn BufRead>, name: PathBuf) -> Result<Self> {
+    /// Reads the header of `source`; `name` is that in errors.
+    ///
+    /// # Errors
+    /// As of [`Self::open`].
+    pub fn read(source: Box<dyn BufRead>, name: PathBuf) -> Result<Self> {
         let mut rows = Self {
             reader: csv::ReaderBuilder::new()
                 .has_headers(false)
@@ -95,7 +99,7 @@ impl Rows {
     ///
     /// # Errors
     /// [`Error::Io`], and [`Error::Parse`] with the line of the file where the row is malformed.
-    pub(super) fn next(&mut self) -> Result<Option<Row<'_>>> {
+    pub fn next_row(&mut self) -> Result<Option<Row<'_>>> {
         if !self.read_record()? {
             return Ok(None);
         }
@@ -252,7 +256,7 @@ mod tests {
 
     fn rows(text: &str) -> Result<Rows> {
         let source = io::Cursor::new(text.to_owned().into_bytes());
-        Rows::new(Box::new(source), "test".into())
+        Rows::read(Box::new(source), "test".into())
     }
 
     /// The error of the first row that has one.
@@ -262,7 +266,7 @@ mod tests {
             Err(error) => return error.to_string(),
         };
         loop {
-            match rows.next() {
+            match rows.next_row() {
                 Ok(row) => assert!(row.is_some(), "no error in {text}"),
                 Err(error) => return error.to_string(),
             }
@@ -273,11 +277,11 @@ mod tests {
     fn columns_go_by_name_and_keep_their_text() {
         let text = format!("\u{feff}# a comment\r\n{HEADER}\r\n 1.0,+0,-0.,2e0,.6,0,\"a, b\"\r\n");
         let mut rows = rows(&text).unwrap();
-        let row = rows.next().unwrap().unwrap();
+        let row = rows.next_row().unwrap().unwrap();
         assert_eq!(row.texts, ["+0", "-0.", "2e0", ".6", "0", " 1.0"]);
         assert_eq!(row.wo, DVec3::Z);
         assert!(row.was_normalised && (row.wi.length() - 1.0).abs() < 1e-15);
-        assert!(rows.next().unwrap().is_none());
+        assert!(rows.next_row().unwrap().is_none());
     }
 
     #[test]

@@ -11,7 +11,7 @@ mod energy;
 mod eval;
 #[cfg(feature = "gui")]
 mod export;
-mod input;
+pub mod input;
 mod models;
 mod output;
 #[cfg(any(feature = "gui", test))]

@@ -1,7 +1,11 @@
 //! Instruments: what holds of a model, and how exactly.
 
 pub mod contract;
+pub mod rounding;
 pub mod spectral;
 pub mod speed;
+pub mod stability;
+pub mod subject;
 pub mod timing;
 pub mod tradeoff;
+pub mod trial;

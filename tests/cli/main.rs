@@ -8,6 +8,7 @@
 
 mod albedo;
 mod bench;
+mod check;
 mod eval;
 mod sample;
 mod tradeoff;

@@ -35,6 +35,7 @@ pub const LOBE_PDF_TOO_LARGE: usize = 22;
 pub const NEEDLES: usize = 23;
 pub const NEEDLES_PDF: usize = 24;
 pub const NEEDLES_SAMPLES: usize = 25;
+pub const STEPPED: usize = 26;
 
 /// A lawful model with one fault.
 struct Faulty<R, const FAULT: usize> {
@@ -98,6 +99,7 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
             NEGATIVE_AT_GRAZING if grazes => Spectrum::grey(-R::one()),
             BLIND if wo.x > R::of(0.5) => Spectrum::black(),
             LEAKY if wo.z * wi.z < R::zero() => Spectrum::grey(R::of(1e-6)),
+            STEPPED if wi.z > R::of(0.31) => f * R::of(1.0 + 1e-9),
             STRIPED => f * (R::one() + R::of(0.01) * wo.x * wi.x),
             SINGLE_OFF if R::NAME == "f32" => f * R::of(1.0 + 1e-4),
             _ => f,

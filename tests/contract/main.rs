@@ -5,6 +5,7 @@
     reason = "a test's own helpers may fail as loudly as the test"
 )]
 
+mod extremes;
 mod faulty;
 
 use std::sync::Mutex;

@@ -75,9 +75,9 @@ fn a_view_with_nothing_to_show_says_why() {
             .iter_mut()
             .for_each(|entry| entry.is_visible = false);
         let harness = alone(hidden, view.id);
-        // The lobes are meshes and the inspector is a table: they show their frames; the trade-off measures the selected
-        // material, shown or not.
-        if !["polar", "lobe3d", "inspector", "tradeoff"].contains(&view.id) {
+        // The lobes are meshes and the inspector is a table: they show their frames; trade-off and stability measure the
+        // selected material, shown or not.
+        if !["polar", "lobe3d", "inspector", "tradeoff", "stability"].contains(&view.id) {
             assert!(
                 harness.query_by_label("Every material is hidden").is_some(),
                 "{}",
@@ -85,7 +85,15 @@ fn a_view_with_nothing_to_show_says_why() {
             );
         }
         let harness = alone(session(&["specular_reflection"]), view.id);
-        if ["cartesian", "hemisphere", "slice", "decomposition"].contains(&view.id) {
+        if [
+            "cartesian",
+            "hemisphere",
+            "slice",
+            "decomposition",
+            "stability",
+        ]
+        .contains(&view.id)
+        {
             let line = "All light is in Dirac deltas: f and the density are 0 everywhere";
             assert!(harness.query_by_label(line).is_some(), "{}", view.id);
         }
@@ -284,4 +292,40 @@ fn the_advised_choice_is_used_and_then_offered_as_a_file() {
     let material = harness.state().session.material().clone();
     assert!(material.name.starts_with("Gold: "), "{}", material.name);
     assert!(harness.query_all_by_label("Save it…").next().is_some());
+}
+
+#[test]
+fn the_maps_of_errors_and_the_worst_points_lead_there() {
+    let mut harness = alone(session(&["rough_conductor:fresnel=one"]), "stability");
+    let before = harness.state().session.clone();
+    choose(&mut harness, "Across", "alpha");
+    choose(&mut harness, "Up", "90° − θo (°)");
+    let options = harness.state().session.views.stability.clone();
+    assert_eq!([&*options.x, &*options.y], ["alpha", "grazing_o"]);
+    // A place of the map is a width and an angle.
+    let map = canvas(&harness, "Map of f64");
+    click_at(&mut harness, map.left_top() + vec2(0.25, 0.5) * map.size());
+    let session = &harness.state().session;
+    let material = session.material().to_string();
+    assert!(material.contains("alpha_x=0.001"), "{material}");
+    assert_ne!(*session.material(), *before.material());
+    // A worst point is a pair.
+    let held = session.held();
+    let point = harness.query_all_by_label_contains("of its bound").nth(1);
+    point.unwrap().click();
+    harness.run();
+    assert_ne!(harness.state().session.held(), held);
+}
+
+#[test]
+fn formulas_on_trial_are_chosen() {
+    let mut harness = alone(session(&["gold"]), "stability");
+    choose(&mut harness, "Show", "Formulas on trial");
+    choose(&mut harness, "Formula", "GTR1 distribution of a clear coat");
+    assert_eq!(harness.state().session.views.stability.trial, "gtr1");
+    assert!(harness.query_by_label("Textbook").is_some());
+    let frame = canvas(&harness, "Formulas on trial");
+    harness.hover_at(frame.center());
+    harness.run();
+    assert!(paints(&harness, "textbook: "));
 }

@@ -156,9 +156,13 @@ impl<R: Real> Pair<R> {
     /// What a facet that is such an `interface`, of relative index `n`, does with light between the two.
     #[inline(always)]
     pub fn dielectric(&self, interface: &impl Interface<R>, n: R) -> Dielectric<R> {
-        // Half the angle between the two: |wo - wi| / 2 is its sine.
-        let sin2 = (self.wo - self.wi).length_squared() * R::of(0.25);
-        interface.with_sine(self.cos_d, sin2, n)
+        interface.with_sine(self.cos_d, self.sin2_d(), n)
+    }
+
+    /// The square of the sine to [`Self::cos_d`], half the angle between the two: |wo - wi| / 2 is the sine.
+    #[inline(always)]
+    pub fn sin2_d(&self) -> R {
+        (self.wo - self.wi).length_squared() * R::of(0.25)
     }
 }
 

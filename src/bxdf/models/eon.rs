@@ -115,7 +115,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 ///
 /// pi/2 - S acos(mu) is pi/2 (1 - S) + S asin(mu), and 1 - S = mu^2 / (1 + S): all is of the order of mu, as the value.
 #[inline(always)]
-fn loss<R: Real>(w: Vec3<R>) -> R {
+pub(crate) fn loss<R: Real>(w: Vec3<R>) -> R {
     let (one, two, three) = (R::one(), R::of(2.0), R::of(3.0));
     let mu = w.z;
     let s2 = w.x * w.x + w.y * w.y;

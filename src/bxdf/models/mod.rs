@@ -24,6 +24,8 @@ mod thin_dielectric;
 mod velvet;
 mod ward;
 
+pub(crate) use eon::loss as eon_loss;
+
 use super::math::{Real, Vec3};
 use super::param::{ParamSpec, Value};
 use super::spec::{

@@ -238,11 +238,21 @@ where
     F: FacetFresnel<R>,
     C: SeveralFacets<R>,
 {
+    /// The reflectance of the facet that mirrors one direction into the other.
+    #[inline(always)]
+    fn fresnel_at(&self, pair: &Pair<R>) -> Spectrum<R> {
+        self.fresnel.with_sine(
+            pair.cos_d,
+            #[inline(always)]
+            || pair.sin2_d(),
+        )
+    }
+
     /// The lobe of one reflection.
     #[inline(always)]
     fn single(&self, pair: &Pair<R>) -> Spectrum<R> {
         let lobe = self.normals.lobe(pair, self.masking);
-        let value = self.fresnel.at(pair.cos_d) * self.compensation.factor(pair.wo.z);
+        let value = self.fresnel_at(pair) * self.compensation.factor(pair.wo.z);
         (value * lobe).saturated()
     }
 
@@ -331,7 +341,7 @@ where
         Some(Microfacet {
             d: self.normals.d(pair.wh),
             g: self.normals.g2(pair.wo, pair.wi, self.masking),
-            fresnel: self.fresnel.at(pair.cos_d),
+            fresnel: self.fresnel_at(&pair),
         })
     }
 }

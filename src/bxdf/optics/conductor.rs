@@ -24,6 +24,10 @@ const LARGE_K_SCALE: f64 = 1.0 / (LARGE_K * LARGE_K * LARGE_K) / (1_u64 << 6) as
 /// is then less than 1e-12 and no longer seen beside the cosine.
 const LEAST_ROOT: f64 = 1e-12;
 
+/// The smallest factor that both sides of the s polarisation's fraction are multiplied by, in units of the smallest normal
+/// number: what is multiplied by it keeps its digits.
+const LEAST_FACTOR: f64 = (1_u64 << 24) as f64;
+
 impl<R: Real> Conductor<R> {
     /// The conductor of relative index eta + i k; in no channel both are 0.
     #[must_use]
@@ -46,7 +50,14 @@ impl<R: Real> Conductor<R> {
     pub fn reflectance(&self, cos_i: R) -> [R; 3] {
         let one = R::one();
         let c = cos_i.at_most(one);
-        let (c2, s2) = (c * c, (one - c) * (one + c));
+        self.reflectance_with_sine(c, (one - c) * (one + c))
+    }
+
+    /// [`Self::reflectance`] at the cosine `c`, 0..1, and the square `s2` of the sine, where that is known better than by a
+    /// cosine near 1: without absorption a small index lets in light from within a narrow cone only.
+    #[inline(always)]
+    pub fn reflectance_with_sine(&self, c: R, s2: R) -> [R; 3] {
+        let c2 = c * c;
         let [red, green, blue] = &self.channels;
         let [x, y, z] = [red.root(c2, s2), green.root(c2, s2), blue.root(c2, s2)];
         // 1 / (2 x), 1 / (2 y), 1 / (2 z) by one division.
@@ -172,7 +183,9 @@ impl<R: Real> Channel<R> {
         let (plus, minus) = (a + at.c, a - at.c);
         let plus2 = plus * plus;
         let (difference, factor) = if self.is_weak {
-            (self.re_at_horizon + b2, plus2)
+            // Beyond the critical angle A is 0, and at grazing (A + c)^2 would underflow on both sides of the fraction.
+            let least = R::min_positive_value() * R::of(LEAST_FACTOR);
+            (self.re_at_horizon + b2, plus2.at_least(least))
         } else {
             (minus, R::one())
         };
@@ -223,5 +236,14 @@ mod tests {
         let (n, k) = (0.143_f64, 3.983);
         let expected = ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k);
         assert!((conductor(1.0, n, k) - expected).abs() < 1e-15);
+    }
+
+    #[test]
+    fn total_reflection_without_absorption_reaches_the_horizon() {
+        // The square of these cosines underflows in f32, on both sides of a fraction.
+        for c in [1e-5_f32, 1e-15, 1e-23, 1e-38] {
+            let r = conductor(c, 0.143, 0.0);
+            assert!((r - 1.0).abs() < 1e-6, "{c}: {r}");
+        }
     }
 }

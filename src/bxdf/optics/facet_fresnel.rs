@@ -12,6 +12,12 @@ pub trait FacetFresnel<R: Real>: Copy + Send + Sync + 'static {
     /// At the cosine `cos_d` with the facet's normal, 0..1.
     fn at(&self, cos_d: R) -> Spectrum<R>;
 
+    /// [`Self::at`], where the square of the sine is known better than by a cosine near 1.
+    #[inline(always)]
+    fn with_sine(&self, cos_d: R, _sin2: impl FnOnce() -> R) -> Spectrum<R> {
+        self.at(cos_d)
+    }
+
     /// The cosine-weighted mean Fbar = 2 int F(mu) mu dmu.
     fn mean(&self) -> Spectrum<R> {
         cosine_weighted_nodes().fold(Spectrum::black(), |sum, (mu, weight)| {
@@ -69,6 +75,11 @@ impl<R: Real> FacetFresnel<R> for Conductor<R> {
     #[inline(always)]
     fn at(&self, cos_d: R) -> Spectrum<R> {
         Spectrum(self.reflectance(cos_d))
+    }
+
+    #[inline(always)]
+    fn with_sine(&self, cos_d: R, sin2: impl FnOnce() -> R) -> Spectrum<R> {
+        Spectrum(self.reflectance_with_sine(cos_d.at_most(R::one()), sin2()))
     }
 }
 
@@ -143,6 +154,14 @@ impl<R: Real> FacetFresnel<R> for AnyFresnel<R> {
             Self::Schlick(schlick) => schlick.at(cos_d),
             Self::Lazanyi(lazanyi) => lazanyi.at(cos_d),
             Self::One(one) => one.at(cos_d),
+        }
+    }
+
+    #[inline(always)]
+    fn with_sine(&self, cos_d: R, sin2: impl FnOnce() -> R) -> Spectrum<R> {
+        match self {
+            Self::Conductor(exact) => exact.with_sine(cos_d, sin2),
+            other => other.at(cos_d),
         }
     }
 

@@ -84,7 +84,7 @@ impl fmt::Display for Value {
 pub type Condition = (&'static str, &'static [&'static str]);
 
 /// What a parameter is, means and allows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamSpec {
     /// The name, in snake case; a contract of the command line and of files.
     pub name: &'static str,
@@ -196,6 +196,12 @@ impl ParamSpec {
     ) -> Self {
         self.relevant_when = Some((name, words));
         self
+    }
+
+    /// Whether the parameter is an index of refraction, or the real part of one.
+    #[must_use]
+    pub fn is_index(&self) -> bool {
+        self.name == "eta"
     }
 
     /// Whether the parameter is a reflectance-like colour, all channels within 0..1.

@@ -140,6 +140,18 @@ impl ParamSet {
         Some(changed)
     }
 
+    /// The set with the number `name` where its range need not reach: for a look inside a model's core, whose formulas
+    /// hold on beyond what is allowed. `None` where the model has no such number.
+    #[must_use]
+    pub(crate) fn beyond_range(&self, name: &str, value: f64) -> Option<Self> {
+        let index = self.index_of(name)?;
+        let mut changed = self.clone();
+        let slot = changed.values.get_mut(index)?;
+        let Value::Number(_) = slot else { return None };
+        *slot = Value::Number(value);
+        Some(changed)
+    }
+
     /// The model at these values as the text form of a component, `id:name=value,name=value`: what differs from the
     /// defaults.
     #[must_use]

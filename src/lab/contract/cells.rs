@@ -7,9 +7,9 @@ use glam::DVec3;
 
 use super::chart::{Chart, median};
 use super::families::Family;
-use super::subject::Subject;
 use crate::analysis::statistics::Random;
 use crate::bxdf::math::quadrature::gauss_legendre;
+use crate::lab::subject::Subject;
 
 /// A cell is cut while each half keeps at least this many pilot samples.
 const PILOTS_PER_CELL: usize = 32;

@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
-use super::subject::Subject;
 use crate::bxdf::math::frame;
 use crate::bxdf::{Category, Side};
+use crate::lab::subject::Subject;
 
 /// Coordinates in which the directions of one hemisphere are cut and integrated.
 pub(super) struct Chart {

@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::statistics::relative_difference;
-use super::subject::Subject;
 use super::sweep::directions;
 use super::{LawId, Tallies};
 use crate::analysis::statistics::Random;
 use crate::bxdf::math::Real;
 use crate::bxdf::math::frame::direction_from_degrees;
 use crate::bxdf::{Delta, Side};
+use crate::lab::rounding::relative_difference;
+use crate::lab::subject::Subject;
 
 /// Disagreement of numbers that differ by a handful of operations in f64.
 const SAME: f64 = 16.0 * f64::UNIT_ROUNDOFF;

@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::cells::ESTIMATE;
-use super::subject::Subject;
 use super::{LawId, Tallies};
 use crate::analysis::reflectance::{directional_hemispherical, directional_hemispherical_within};
 use crate::bxdf::math::frame::direction_from_degrees;
 use crate::bxdf::{Declaration, ModelSpec};
+use crate::lab::subject::Subject;
 
 /// Absolute error wanted of the reflectances, and the excess let pass: a hundredth of the smallest one worth declaring.
 const TOLERANCE: f64 = 1e-5;

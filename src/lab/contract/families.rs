@@ -8,9 +8,9 @@
 
 use glam::DVec3;
 
-use super::subject::Subject;
 use crate::analysis::statistics::Random;
 use crate::bxdf::{Category, Lobe, Side};
+use crate::lab::subject::Subject;
 
 /// Lobes that one set of cells follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-use super::subject::Subject;
 use super::{LawId, Plan, Tallies, Witness};
 use crate::analysis::statistics::Random;
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::frame::cos_sin_deg;
 use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::Spectrum;
+use crate::lab::stability::{is_good, is_good_number, is_unit};
+use crate::lab::subject::Subject;
 
 /// Absolute cosines down to the horizon: 1e-23 squares to a subnormal f32, 1e-38 is one itself; 1e-160 and 1e-308 are
 /// the same in f64 (and 0 in f32).
@@ -18,9 +18,6 @@ const COSINES: [f64; 10] = [
 
 /// Azimuths against the given direction's, in degrees: aligned, opposed, and neither.
 const AZIMUTHS_DEG: [f64; 4] = [0.0, 180.0, 90.0, 33.0];
-
-/// Square of the length of a sampled direction, less 1, in units of round-off: two dozen operations.
-const UNIT_LENGTH_ROUNDOFFS: f64 = 24.0;
 
 /// Runs the law in f32, f64 and the reference precision.
 pub(super) fn finite(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
@@ -85,8 +82,7 @@ fn samples_are_finite<R: Real>(
                 let Some(sample) = bxdf.sample_f(wo, uc, [u, v]) else {
                     continue;
                 };
-                let length_error = (sample.wi.length_squared() - R::one()).as_f64().abs();
-                let holds = length_error <= UNIT_LENGTH_ROUNDOFFS * unit_roundoff_of_input::<R>()
+                let holds = is_unit(sample.wi)
                     && is_good(sample.f)
                     && is_good(sample.weight())
                     && is_good_number(sample.pdf)
@@ -105,17 +101,4 @@ fn samples_are_finite<R: Real>(
             }
         }
     }
-}
-
-/// The given directions are unit vectors to f64 at best; a sample cannot be better than they are.
-fn unit_roundoff_of_input<R: Real>() -> f64 {
-    R::UNIT_ROUNDOFF.max(f64::UNIT_ROUNDOFF)
-}
-
-fn is_good<R: Real>(spectrum: Spectrum<R>) -> bool {
-    spectrum.0.into_iter().all(is_good_number)
-}
-
-fn is_good_number<R: Real>(x: R) -> bool {
-    x.is_finite() && x >= R::zero()
 }

@@ -1,11 +1,9 @@
 //! What is said of a law: its names, what became of it, and where.
 
-use std::fmt;
-
-use glam::DVec3;
 use serde::Serialize;
 
 use crate::bxdf::{Declaration, Law, ModelSpec};
+use crate::lab::subject::Witness;
 
 /// A law of the contract.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -183,33 +181,4 @@ pub struct LawReport {
     pub n: usize,
     /// Where the worst deviation is found.
     pub witness: Witness,
-}
-
-/// Where a deviation is found: as text, and the directions for whoever wants to go there.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-#[serde(transparent)]
-pub struct Witness {
-    /// Parameters, and directions as (theta, phi) in degrees.
-    pub text: String,
-    /// The direction to the viewer, where there is one.
-    #[serde(skip)]
-    pub wo: Option<DVec3>,
-    /// The direction to the light, where there is one.
-    #[serde(skip)]
-    pub wi: Option<DVec3>,
-}
-
-impl From<String> for Witness {
-    fn from(text: String) -> Self {
-        Self {
-            text,
-            ..Self::default()
-        }
-    }
-}
-
-impl fmt::Display for Witness {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
-    }
 }

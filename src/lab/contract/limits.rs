@@ -3,14 +3,14 @@
 use glam::DVec3;
 
 use super::pointwise::pairs;
-use super::statistics::relative_difference;
-use super::subject::Subject;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::reflectance::directional_hemispherical;
 use crate::analysis::statistics::Random;
 use crate::bxdf::math::{Vec3, frame};
 use crate::bxdf::{Material, ModelSpec, Side};
+use crate::lab::rounding::relative_difference;
+use crate::lab::subject::Subject;
 
 /// How the two models of a [`Limit`] are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

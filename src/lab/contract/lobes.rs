@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::cells::ESTIMATE;
 use super::pointwise::pairs;
-use super::statistics::relative_difference;
-use super::subject::Subject;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::reflectance::directional_hemispherical_within;
+use crate::lab::rounding::relative_difference;
+use crate::lab::subject::Subject;
 
 /// Relative difference of f and the sum of its lobes that rounding explains: a few additions of positive numbers.
 const SAME_SUM: f64 = 1e-14;

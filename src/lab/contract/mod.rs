@@ -23,18 +23,18 @@ mod pointwise;
 mod precision;
 mod sampling;
 mod statistics;
-mod subject;
-mod sweep;
+pub(super) mod sweep;
 mod tally;
 
 use rayon::prelude::*;
 
-pub use law::{LawId, LawReport, Status, Witness};
+pub use law::{LawId, LawReport, Status};
 pub use limits::{CONE, LIMITS, Limit, Relation, compare};
 pub use physics::{PHYSICAL, check_physical};
-pub use subject::Subject;
 pub use sweep::{directions, parameter_sets};
 pub use tally::Tallies;
+
+pub use super::subject::{Subject, Witness};
 
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Component, Law, Material, ModelSpec};

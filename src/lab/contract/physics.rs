@@ -1,6 +1,5 @@
 //! The laws that a person asks about first, checked while they wait: of one material, at a fraction of the work.
 
-use super::subject::Subject;
 use super::sweep::directions;
 use super::{
     Effort, LawId, LawReport, Plan, Status, Tallies, Witness, deltas, energy, finite, judged,
@@ -8,6 +7,7 @@ use super::{
 };
 use crate::analysis::isotropy;
 use crate::bxdf::Material;
+use crate::lab::subject::Subject;
 
 /// The laws of [`check_physical`], in the order of its reports.
 pub const PHYSICAL: [LawId; 4] = [

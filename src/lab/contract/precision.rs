@@ -4,11 +4,13 @@ use glam::DVec3;
 use xprec::Df64;
 
 use super::pointwise::pairs;
-use super::statistics::{Quantity, is_subnormal, relative_difference, rounding_bound};
-use super::subject::Subject;
 use super::{LawId, Plan, Tallies};
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::{Real, Vec3};
+use crate::lab::rounding::{
+    Quantity, is_subnormal, quantities, relative_difference, rounding_bound,
+};
+use crate::lab::subject::Subject;
 
 /// Both precisions keep the stability law, at grazing directions too.
 pub(super) fn precision(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
@@ -30,12 +32,14 @@ fn compare<R: Real>(
     let (wo, wi): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
     let (wo_rounded, wi_rounded): (DVec3, DVec3) = (wo.into(), wi.into());
     let exact = (wo_rounded.into(), wi_rounded.into());
+    let found = quantities(tested, wo, wi);
+    let truth = quantities(reference, exact.0, exact.1);
     for quantity in Quantity::ALL {
-        let truth = quantity.of(reference, exact.0, exact.1).as_f64();
+        let truth = quantity.of(truth).as_f64();
         if is_subnormal::<R>(truth) {
             continue;
         }
-        let deviation = relative_difference(quantity.of(tested, wo, wi).as_f64(), truth);
+        let deviation = relative_difference(quantity.of(found).as_f64(), truth);
         let at = (wo_rounded, wi_rounded);
         let error = rounding_bound(subject, at, quantity, deviation, R::UNIT_ROUNDOFF);
         tallies.record(LawId::Precision, deviation, error, || {

@@ -3,13 +3,14 @@
 use glam::DVec3;
 
 use super::cells::{CellIntegral, ESTIMATE, Partition};
-use super::statistics::{relative_difference, sidak};
-use super::subject::Subject;
+use super::statistics::sidak;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies, energy, lobes};
 use crate::analysis::statistics::{Random, chi_square};
 use crate::bxdf::math::Vec3;
 use crate::bxdf::{Deltas, Sample};
+use crate::lab::rounding::relative_difference;
+use crate::lab::subject::Subject;
 
 /// Samples that cut the sphere into cells: 64 cells of 32.
 const PILOTS: u32 = 2048;

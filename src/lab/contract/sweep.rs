@@ -39,15 +39,30 @@ pub fn directions() -> Vec<DVec3> {
 /// Combinations that the model refuses are left out, and those that differ only in a parameter without effect.
 #[must_use]
 pub fn parameter_sets(model: &ModelSpec) -> Vec<ParamSet> {
-    let mut sets = Sets {
-        model,
-        found: Vec::new(),
-    };
+    let mut sets = Sets::of(model);
     let defaults = model.defaults();
     sets.add(Some(defaults.clone()));
     sets.add(with_colours(&defaults, 0.0));
-    let Some(white) = with_colours(&defaults, 1.0) else {
-        return sets.found;
+    for base in bases(model) {
+        for spec in model.parameters {
+            for value in ends(spec) {
+                if base.is_relevant(spec) {
+                    sets.add(base.with(&[(spec.name, value)]));
+                }
+            }
+        }
+        for [alpha_x, alpha_y] in ALPHA_PAIRS {
+            sets.add(with_widths(&base, alpha_x, alpha_y));
+        }
+        sets.add(Some(base));
+    }
+    sets.found
+}
+
+/// The defaults with all colours 1, and that with every word of every choice.
+pub(in crate::lab) fn bases(model: &ModelSpec) -> Vec<ParamSet> {
+    let Some(white) = with_colours(&model.defaults(), 1.0) else {
+        return Vec::new();
     };
     let mut bases = vec![white.clone()];
     for spec in model.parameters {
@@ -58,57 +73,49 @@ pub fn parameter_sets(model: &ModelSpec) -> Vec<ParamSet> {
             Kind::Bool => flags.to_vec(),
             Kind::Number | Kind::Rgb => continue,
         };
-        bases.extend(
-            values
-                .into_iter()
-                .filter_map(|value| with(&white, spec.name, value)),
-        );
+        let with_value = |value| white.with(&[(spec.name, value)]);
+        bases.extend(values.into_iter().filter_map(with_value));
     }
-    for base in bases {
-        for spec in model.parameters {
-            for value in ends(spec) {
-                if base.is_relevant(spec) {
-                    sets.add(with(&base, spec.name, value));
-                }
-            }
-        }
-        for [alpha_x, alpha_y] in ALPHA_PAIRS {
-            sets.add(
-                with(&base, "alpha_x", Value::Number(alpha_x))
-                    .and_then(|set| with(&set, "alpha_y", Value::Number(alpha_y))),
-            );
-        }
-        sets.add(Some(base));
-    }
-    sets.found
+    bases
 }
 
-struct Sets<'a> {
+/// Different sets of one model's parameters, all of them allowed.
+pub(in crate::lab) struct Sets<'a> {
     model: &'a ModelSpec,
     found: Vec<ParamSet>,
 }
 
-impl Sets<'_> {
-    fn add(&mut self, set: Option<ParamSet>) {
-        let Some(mut set) = set else { return };
+impl<'a> Sets<'a> {
+    /// None yet.
+    pub(in crate::lab) fn of(model: &'a ModelSpec) -> Self {
+        Self {
+            model,
+            found: Vec::new(),
+        }
+    }
+
+    /// Adds `set`, unless there is none, the model refuses it, or one that differs only without effect is there already.
+    /// Returns what was added.
+    pub(in crate::lab) fn add(&mut self, set: Option<ParamSet>) -> Option<&ParamSet> {
+        let mut set = set?;
         let without_effect: Vec<&ParamSpec> = set
             .iter()
             .map(|(spec, _)| spec)
             .filter(|spec| !set.is_relevant(spec))
             .collect();
         for spec in without_effect {
-            if set.set(spec.name, spec.default).is_err() {
-                return;
-            }
+            set.set(spec.name, spec.default).ok()?;
         }
-        if (self.model.validate)(&set).is_ok() && !self.found.contains(&set) {
-            self.found.push(set);
+        if (self.model.validate)(&set).is_err() || self.found.contains(&set) {
+            return None;
         }
+        self.found.push(set);
+        self.found.last()
     }
 }
 
 /// The ends of the ranges of a number or an index; none for colours (which are 0 and 1 in the bases) and for widths.
-fn ends(spec: &ParamSpec) -> Vec<Value> {
+pub(in crate::lab) fn ends(spec: &ParamSpec) -> Vec<Value> {
     if spec.is_colour() || spec.name.starts_with("alpha_") {
         return Vec::new();
     }
@@ -120,14 +127,16 @@ fn ends(spec: &ParamSpec) -> Vec<Value> {
     }
 }
 
-/// `set` with one value changed; `None` where there is no such parameter.
-fn with(set: &ParamSet, name: &str, value: Value) -> Option<ParamSet> {
-    let mut changed = set.clone();
-    changed.set(name, value).ok().map(|()| changed)
+/// `set` with these widths along s and t; `None` where it has none.
+pub(in crate::lab) fn with_widths(set: &ParamSet, alpha_x: f64, alpha_y: f64) -> Option<ParamSet> {
+    set.with(&[
+        ("alpha_x", Value::Number(alpha_x)),
+        ("alpha_y", Value::Number(alpha_y)),
+    ])
 }
 
 /// `set` with every colour at `level`.
-fn with_colours(set: &ParamSet, level: f64) -> Option<ParamSet> {
+pub(in crate::lab) fn with_colours(set: &ParamSet, level: f64) -> Option<ParamSet> {
     let mut changed = set.clone();
     for (spec, _) in set.iter().filter(|(spec, _)| spec.is_colour()) {
         changed.set(spec.name, Value::Rgb([level; 3])).ok()?;

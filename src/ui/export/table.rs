@@ -223,6 +223,34 @@ pub fn slice(session: &Session, data: &mut Data) -> Table {
     table
 }
 
+/// Of the stability: the errors over the two axes, through the mirror direction of the held one.
+pub fn stability(session: &Session, data: &mut Data) -> Table {
+    let mut table = Table::new(&[
+        "material",
+        "x",
+        "y",
+        "error_f32",
+        "error_f64",
+        "of_bound_f32",
+        "of_bound_f64",
+        "condition_number",
+    ]);
+    let request = session.stability_request();
+    let entry = session.materials.selected();
+    let title = session.materials.title(entry);
+    let map = data.ask(session, entry, request.clone());
+    for (index, cell) in map.pixels.iter().enumerate() {
+        let share = |index: usize, n: usize| (index as f64 + 0.5) / n as f64;
+        let x = request.x.value(share(index % map.width, map.width));
+        let y = request.y.value(1.0 - share(index / map.width, map.height));
+        let ([e32, e64], [r32, r64]) = (cell.errors, cell.ratios);
+        if cell.kappa.is_finite() {
+            table.push(&title, [x, y, e32, e64, r32, r64, cell.kappa]);
+        }
+    }
+    table
+}
+
 /// Of the lit sphere: the radiance of its pixels.
 pub fn sphere(session: &Session, data: &mut Data) -> Table {
     let mut table = Table::new(&[

@@ -93,7 +93,7 @@ pub struct ReadyLayout {
 }
 
 /// The ready layouts, in the order of the menu; the first one is that of the start.
-pub static READY_LAYOUTS: [ReadyLayout; 5] = [
+pub static READY_LAYOUTS: [ReadyLayout; 6] = [
     ReadyLayout {
         name: "Teach",
         meaning: "The section and the lobe side by side, as large as they go: for the screen in front of a class",
@@ -153,6 +153,22 @@ pub static READY_LAYOUTS: [ReadyLayout; 5] = [
             Layout::row(vec![
                 Layout::view("sampling"),
                 Layout::column(vec![Layout::view("hemisphere"), Layout::view("cartesian")]),
+            ])
+        },
+    },
+    ReadyLayout {
+        name: "Stability",
+        meaning: "Where f32 and f64 lose digits, and the lobe there",
+        layout: || {
+            Layout::Column(vec![
+                Part {
+                    share: 1.6,
+                    place: Layout::view("stability"),
+                },
+                Part {
+                    share: 1.0,
+                    place: Layout::row(vec![Layout::view("polar"), Layout::view("hemisphere")]),
+                },
             ])
         },
     },

@@ -28,9 +28,9 @@ pub use questions::{SAMPLE_COUNTS_LOG2, SHARES};
 pub use text::{MAX_TEXT, Opened, pasted, read};
 pub use ties::WIDTHS;
 pub use view_options::{
-    Arrangement, CartesianOptions, Decomposed, DecompositionOptions, HemisphereOptions,
+    Arrangement, CartesianOptions, Decomposed, DecompositionOptions, ErrorUnit, HemisphereOptions,
     ReflectanceOptions, SamplingOptions, SamplingPlot, SliceOptions, SphereOptions, Split,
-    ViewOptions,
+    StabilityPlot, ViewOptions,
 };
 
 /// Which curves the polar plot draws.

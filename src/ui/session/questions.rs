@@ -1,10 +1,13 @@
 //! What the views ask about each material, as the session has it.
 
+use glam::DVec3;
+
 use super::{DECADES, SamplingPlot, Session};
 use crate::analysis::reflectance::{CurveRequest, SharesRequest};
 use crate::analysis::{
-    RadialScale, cartesian, decomposition, hemisphere, lobe3d, polar, sampling, slice, sphere,
+    Hold, RadialScale, cartesian, decomposition, hemisphere, lobe3d, polar, sampling, slice, sphere,
 };
+use crate::lab::stability::map::{self, Axis};
 
 /// The shares of light at the screen: an error below half a unit of the last digit shown, and evaluations for a few
 /// milliseconds, whatever the material.
@@ -145,6 +148,46 @@ impl Session {
         decomposition::Request {
             phi: self.section_phi(),
             with_cosine: self.with_cosine,
+        }
+    }
+}
+
+/// Pixels along either side of a map of errors.
+const ERROR_MAP_SIZE: usize = 96;
+
+impl Session {
+    /// The axes of the map of errors that the selected material has: those chosen, where it has them.
+    #[must_use]
+    pub fn stability_axes(&self) -> (Axis, Axis) {
+        let all = Axis::all(self.material());
+        let options = &self.views.stability;
+        let find = |id: &str| all.iter().find(|axis| axis.id() == id).cloned();
+        let x = find(&options.x).unwrap_or(Axis::ThetaI);
+        (x, find(&options.y).unwrap_or(Axis::ThetaO))
+    }
+
+    /// The place of the selected material and a pair: the direction held, and the other one.
+    #[must_use]
+    pub fn stability_place(&self, held: DVec3, free: DVec3) -> map::Place {
+        let [held, free] = [held, free].map(|w| self.on_surface(w));
+        let (wo, wi) = match self.hold {
+            Hold::Light => (free, held),
+            Hold::Viewer => (held, free),
+        };
+        map::Place::of(self.material(), wo, wi)
+    }
+
+    /// The map of the selected material's errors, cut through the held direction and its mirror direction.
+    #[must_use]
+    pub fn stability_request(&self) -> map::Request {
+        let (x, y) = self.stability_axes();
+        let held = self.held();
+        let mirror = DVec3::new(-held.x, -held.y, held.z);
+        map::Request {
+            place: self.stability_place(held, mirror),
+            x,
+            y,
+            size: ERROR_MAP_SIZE,
         }
     }
 }

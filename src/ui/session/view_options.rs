@@ -26,6 +26,8 @@ pub struct ViewOptions {
     pub decomposition: DecompositionOptions,
     /// Of the trade-off.
     pub tradeoff: TradeoffOptions,
+    /// Of the stability.
+    pub stability: StabilityOptions,
 }
 
 /// Declares an enum of words a view can be set to, with their titles.
@@ -296,6 +298,61 @@ impl Default for TradeoffOptions {
             tolerance: 0.01,
             left_out: Vec::new(),
             is_immediate: false,
+        }
+    }
+}
+
+words! {
+    /// What the stability view shows.
+    StabilityPlot {
+        /// Errors of the selected material over two axes.
+        #[default]
+        Map = "Errors over two axes",
+        /// The errors of textbooks' formulas and of the core's.
+        Formulas = "Formulas on trial",
+    }
+}
+
+words! {
+    /// What errors are counted in.
+    ErrorUnit {
+        /// Roundings of the precision: the same for both, so that they can be compared.
+        #[default]
+        Roundings = "In roundings",
+        /// Shares of the value.
+        Relative = "Relative",
+        /// Shares of what the stability law allows.
+        Bound = "Of its bound",
+    }
+}
+
+/// How the stability is shown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct StabilityOptions {
+    /// What of it.
+    pub plot: StabilityPlot,
+    /// The id of the axis to the right; the first that a material has instead, where it has no such axis.
+    pub x: String,
+    /// The id of the axis upwards; likewise.
+    pub y: String,
+    /// What errors are counted in.
+    pub unit: ErrorUnit,
+    /// Whether lines of equal condition number are drawn.
+    pub has_contours: bool,
+    /// The id of the formula on trial.
+    pub trial: String,
+}
+
+impl Default for StabilityOptions {
+    fn default() -> Self {
+        Self {
+            plot: StabilityPlot::default(),
+            x: "theta_i".to_owned(),
+            y: "alpha".to_owned(),
+            unit: ErrorUnit::default(),
+            has_contours: true,
+            trial: "ggx".to_owned(),
         }
     }
 }

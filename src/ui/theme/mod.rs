@@ -83,6 +83,8 @@ pub const ADVICE_BESIDE: f32 = 620.0;
 pub const ADVICE_WIDTH: f32 = 240.0;
 /// The share of the height that the plot has where advice stands below.
 pub const CHART_SHARE: f32 = 0.72;
+/// From this height on a view has a list below its pictures, in points.
+pub const LIST_BELOW: f32 = 300.0;
 /// The width of a bar of progress, in points.
 pub const PROGRESS_WIDTH: f32 = 130.0;
 /// Radius of a handle that can be dragged.

@@ -18,6 +18,7 @@ use crate::analysis::hemisphere::Map;
 use crate::analysis::{HeldLobe, Hold, polar as section};
 use crate::error::{Error, Result};
 use crate::lab::contract::Witness;
+use crate::lab::stability::map as stability_map;
 
 mod cartesian;
 mod decomposition;
@@ -29,6 +30,7 @@ mod reflectance;
 mod sampling;
 mod slice;
 mod sphere;
+mod stability;
 mod tradeoff;
 
 /// A view of the session.
@@ -61,7 +63,7 @@ impl ViewSpec {
 }
 
 /// Every view, in the order of the window.
-pub static VIEWS: [ViewSpec; 11] = [
+pub static VIEWS: [ViewSpec; 12] = [
     polar::SPEC,
     lobe3d::SPEC,
     cartesian::SPEC,
@@ -72,6 +74,7 @@ pub static VIEWS: [ViewSpec; 11] = [
     sampling::SPEC,
     decomposition::SPEC,
     tradeoff::SPEC,
+    stability::SPEC,
     inspector::SPEC,
 ];
 
@@ -109,6 +112,8 @@ pub struct ViewState {
     textures: Textures,
     contours: HashMap<EntryId, Memo<(Same<Map>, ColorScale), Lines>>,
     chosen: tradeoff::Chosen,
+    /// The lines of equal condition number of a map of errors.
+    kappas: Memo<Same<stability_map::Map>, Lines>,
     /// A file that a view asks to be written.
     wished_file: Option<(ViewId, Format)>,
 }

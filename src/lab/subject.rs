@@ -1,13 +1,45 @@
-//! What the laws are run on: a model at one set of parameters, in every precision.
+//! What the instruments are run on: a model at one set of parameters, in every precision.
+
+use std::fmt;
 
 use glam::DVec3;
+use serde::Serialize;
 use xprec::Df64;
 
-use super::Witness;
+use super::rounding::{WHOLE, condition_numbers};
 use crate::bxdf::batch::{Job, Path};
-use crate::bxdf::math::frame;
+use crate::bxdf::math::{Real, frame};
 use crate::bxdf::param::{ParamSet, ParamSpec, Value};
 use crate::bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
+
+/// Where a deviation is found: as text, and the directions for whoever wants to go there.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct Witness {
+    /// Parameters, and directions as (theta, phi) in degrees.
+    pub text: String,
+    /// The direction to the viewer, where there is one.
+    #[serde(skip)]
+    pub wo: Option<DVec3>,
+    /// The direction to the light, where there is one.
+    #[serde(skip)]
+    pub wi: Option<DVec3>,
+}
+
+impl From<String> for Witness {
+    fn from(text: String) -> Self {
+        Self {
+            text,
+            ..Self::default()
+        }
+    }
+}
+
+impl fmt::Display for Witness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
 
 /// A model at one set of parameters, built in every precision, with what is declared of it.
 pub struct Subject {
@@ -34,13 +66,19 @@ pub struct Subject {
 /// A model at two values of one parameter, close to each other.
 pub struct Neighbour {
     /// The model at the larger and at the smaller value.
-    pub pair: [Box<dyn Bxdf<f64>>; 2],
+    pub pair: [Box<dyn Bxdf<Df64>>; 2],
     /// The difference of the two values over the value itself.
     pub relative_step: f64,
+    /// The precision whose steps these are, by its unit round-off; any where there is none.
+    pub unit_roundoff: Option<f64>,
 }
 
-/// Relative step of a parameter: small beside every power it enters with, large beside rounding (1e-16).
-const RELATIVE_STEP: f64 = 1e-7;
+/// Relative step of a parameter: small beside every power it enters with, large beside the rounding of what models tabulate
+/// in f64 (1e-16).
+const RELATIVE_STEP: f64 = 1e-9;
+
+/// Step of an index, in roundings of the precision: at the edge of total reflection the slope is infinite on one side.
+const ROUNDOFFS_OF_INDEX: f64 = 16.0;
 
 impl Subject {
     /// `model` at `params`.
@@ -62,6 +100,17 @@ impl Subject {
             relative_index: (model.properties.relative_index)(params),
             is_isotropic: (model.properties.is_isotropic)(params),
         }
+    }
+
+    /// The condition numbers of what it gives for a pair in a precision of `unit_roundoff`; see [`condition_numbers`].
+    #[must_use]
+    pub fn condition_numbers(&self, pair: (DVec3, DVec3), unit_roundoff: f64) -> [f64; 4] {
+        condition_numbers(
+            (&*self.reference, &self.neighbours),
+            pair,
+            unit_roundoff,
+            WHOLE,
+        )
     }
 
     /// The three channels of `f` and the density at `pairs` (wo, wi), in `f64`: the order of a law's quantities.
@@ -131,35 +180,35 @@ impl Subject {
     }
 
     /// The index of refraction on the side of `w`.
-    pub(super) fn index_at(&self, w: DVec3) -> f64 {
+    pub(in crate::lab) fn index_at(&self, w: DVec3) -> f64 {
         if w.z < 0.0 { self.relative_index } else { 1.0 }
     }
 
     /// Flux over radiance of what goes from `wi` to `wo`: e^2, e being the index on wi's side over that on wo's.
-    pub(super) fn flux_factor(&self, wo: DVec3, wi: DVec3) -> f64 {
+    pub(in crate::lab) fn flux_factor(&self, wo: DVec3, wi: DVec3) -> f64 {
         let e = self.index_at(wi) / self.index_at(wo);
         e * e
     }
 
     /// Whether one of the lobes goes to `side`.
-    pub(super) fn has_side(&self, side: Side) -> bool {
+    pub(in crate::lab) fn has_side(&self, side: Side) -> bool {
         self.lobes.iter().any(|lobe| lobe.side == side)
     }
 
     /// Whether one of the lobes is of `category`.
-    pub(super) fn has_category(&self, category: Category) -> bool {
+    pub(in crate::lab) fn has_category(&self, category: Category) -> bool {
         self.lobes.iter().any(|lobe| lobe.category == category)
     }
 
     /// Whether a glossy lobe crosses the surface.
-    pub(super) fn has_transmitted_lobe(&self) -> bool {
+    pub(in crate::lab) fn has_transmitted_lobe(&self) -> bool {
         self.lobes.iter().any(|lobe| {
             lobe.side == Side::Transmission && lobe.category == Category::GlossySpecular
         })
     }
 
     /// A seed that depends on model and parameters only: the FNV-1a hash of the name.
-    pub(super) fn seed(&self) -> u64 {
+    pub(in crate::lab) fn seed(&self) -> u64 {
         self.name
             .bytes()
             .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
@@ -168,7 +217,7 @@ impl Subject {
     }
 
     /// The witness of a comparison at these directions, of which `wo` and `wi` are the viewer's and the light's.
-    pub(super) fn witness(&self, directions: &[(&str, DVec3)]) -> Witness {
+    pub(in crate::lab) fn witness(&self, directions: &[(&str, DVec3)]) -> Witness {
         let places = directions.iter().map(|(name, w)| {
             let (theta, phi) = (frame::theta(*w).to_degrees(), frame::phi(*w).to_degrees());
             format!(" {name} ({theta:.7}, {phi:.7})")
@@ -186,7 +235,7 @@ impl Subject {
 }
 
 /// `params` with every number rounded to the nearest `f32` inside its range.
-fn rounded_to_single(params: &ParamSet) -> ParamSet {
+pub(in crate::lab) fn rounded_to_single(params: &ParamSet) -> ParamSet {
     let mut rounded = params.clone();
     for (spec, value) in params.iter() {
         let round = |x: f64| f64::from(x as f32);
@@ -206,21 +255,31 @@ fn rounded_to_single(params: &ParamSet) -> ParamSet {
 /// parameters, if they are allowed.
 fn neighbours(
     params: &ParamSet,
-    build: impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<f64>>>,
+    build: impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<Df64>>>,
 ) -> Vec<Neighbour> {
     params
         .iter()
         .filter(|(spec, _)| params.is_relevant(spec))
-        .filter_map(|(spec, value)| neighbour(params, &build, spec, value))
+        .flat_map(|(spec, value)| {
+            let roundoffs: &[Option<f64>] = if spec.is_index() {
+                &[Some(f32::UNIT_ROUNDOFF), Some(f64::UNIT_ROUNDOFF)]
+            } else {
+                &[None]
+            };
+            let build = &build;
+            let of = move |u: &Option<f64>| neighbour(params, build, (spec, value), *u);
+            roundoffs.iter().filter_map(of)
+        })
         .collect()
 }
 
 fn neighbour(
     params: &ParamSet,
-    build: &impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<f64>>>,
-    spec: &ParamSpec,
-    value: Value,
+    build: &impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<Df64>>>,
+    (spec, value): (&ParamSpec, Value),
+    unit_roundoff: Option<f64>,
 ) -> Option<Neighbour> {
+    let step = unit_roundoff.map_or(RELATIVE_STEP, |u| ROUNDOFFS_OF_INDEX * u);
     let scaled = |factor: f64| {
         let value = match value {
             Value::Number(x) => Value::Number(x * factor),
@@ -231,20 +290,15 @@ fn neighbour(
         moved.set(spec.name, value).ok()?;
         build(&moved)
     };
-    let unmoved = || build(params);
-    match (scaled(1.0 + RELATIVE_STEP), scaled(1.0 - RELATIVE_STEP)) {
-        (Some(up), Some(down)) => Some(Neighbour {
-            pair: [up, down],
-            relative_step: 2.0 * RELATIVE_STEP,
-        }),
-        (Some(up), None) => Some(Neighbour {
-            pair: [up, unmoved()?],
-            relative_step: RELATIVE_STEP,
-        }),
-        (None, Some(down)) => Some(Neighbour {
-            pair: [unmoved()?, down],
-            relative_step: RELATIVE_STEP,
-        }),
-        (None, None) => None,
-    }
+    let (pair, relative_step) = match (scaled(1.0 + step), scaled(1.0 - step)) {
+        (Some(up), Some(down)) => ([up, down], 2.0 * step),
+        (Some(up), None) => ([up, build(params)?], step),
+        (None, Some(down)) => ([build(params)?, down], step),
+        (None, None) => return None,
+    };
+    Some(Neighbour {
+        pair,
+        relative_step,
+        unit_roundoff,
+    })
 }

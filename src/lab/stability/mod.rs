@@ -1,0 +1,218 @@
+//! Where floating point gives out: every model at its extremes, in f32 and f64 against the reference precision.
+//!
+//! [`examine`] takes a model to each [`Case`] and returns an [`Extreme`] for each precision: how many results are not
+//! finite, negative or misplaced, the largest error, and how much of what the stability law allows
+//! ([`rounding`](super::rounding)) it uses up. The extremes of parameters and those of directions are combined; where the error is worst a search goes on
+//! uphill. Everything is the same in every run.
+//!
+//! # The worst of each model
+//! Written by `check --all --extremes --markdown`; a test holds it against what is measured. An error of 1 is one next to an
+//! edge, where rounding decides on which side a pair lies: it is the share of its bound that counts. Widths inside the core,
+//! which no material has, and points by chance are left out.
+//!
+#![doc = include_str!("table.md")]
+
+mod case;
+mod crowd;
+mod directions;
+mod jumps;
+pub mod map;
+mod parameters;
+mod point;
+mod samples;
+mod search;
+pub mod table;
+mod tally;
+
+use rayon::prelude::*;
+use xprec::Df64;
+
+pub use case::Case;
+pub(in crate::lab) use samples::{is_good, is_good_number, is_unit};
+pub use tally::{Extreme, Worst};
+
+use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
+use crate::bxdf::math::Real as _;
+use crate::bxdf::{Component, Law, Material, ModelSpec};
+use crate::lab::subject::Subject;
+
+use directions::Pair;
+use tally::Tally;
+
+/// Points of a crowd that are drawn by one seed.
+const CROWD_OF_PART: u64 = 1 << 18;
+
+/// How far an examination goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Extent {
+    /// Of the sets of parameters at their extremes, every how manieth is examined.
+    pub stride: usize,
+    /// Random points over all models, in every precision.
+    pub random: u64,
+    /// More of them in f32 and in f64 alone, without the reference.
+    pub crowd: u64,
+}
+
+impl Extent {
+    /// The whole grid, and a million random points over all models.
+    pub const FULL: Self = Self {
+        stride: 1,
+        random: 1_000_000,
+        crowd: 0,
+    };
+}
+
+/// Takes `model` to its extremes; `random` is the number of random points for it alone.
+#[must_use]
+pub fn examine(model: &ModelSpec, stride: usize, random: u64) -> Vec<Extreme> {
+    let pairs = directions::pairs();
+    let sets = parameters::parameter_sets(model);
+    let examined: Vec<_> = sets.into_iter().step_by(stride.max(1)).collect();
+    let is_reciprocal = is_reciprocal(model);
+    let mut tally = examined
+        .par_iter()
+        .fold(Tally::default, |mut tally, (case, params)| {
+            let subject = Subject::new(model, params);
+            let about = directions::about(&subject);
+            for some in [&pairs, &about] {
+                at_pairs(&subject, Some(*case), some, is_reciprocal, &mut tally);
+            }
+            at_samples(&subject, &mut tally);
+            if *case == Case::Usual {
+                jumps::jumps(&subject, &mut tally);
+            }
+            tally
+        })
+        .reduce(Tally::default, Tally::with);
+    for (case, params) in &examined {
+        if *case == Case::Usual {
+            jumps::along_parameters(model, params, &mut tally);
+        }
+    }
+    search::random(model, random, &mut tally);
+    search::climb(model, &mut tally);
+    tally.into_extremes(model.properties.stability_ratio)
+}
+
+/// [`examine`] for each of `models`, in their order, the random points shared among them.
+#[must_use]
+pub fn examine_all(models: &[&ModelSpec], extent: Extent) -> Vec<Vec<Extreme>> {
+    let share = |points: u64| points.div_ceil(models.len().max(1) as u64);
+    models
+        .par_iter()
+        .map(|model| {
+            let mut extremes = examine(model, extent.stride, share(extent.random));
+            extremes.extend(examine_crowd(model, share(extent.crowd)));
+            extremes
+        })
+        .collect()
+}
+
+/// The crowd of `model`, on all processors.
+fn examine_crowd(model: &ModelSpec, count: u64) -> Vec<Extreme> {
+    let parts = count.div_ceil(CROWD_OF_PART);
+    let tally = (0..parts)
+        .into_par_iter()
+        .fold(Tally::default, |mut tally, part| {
+            let size = CROWD_OF_PART.min(count - part * CROWD_OF_PART);
+            crowd::crowd(model, size, part, &mut tally);
+            tally
+        })
+        .reduce(Tally::default, Tally::with);
+    tally.into_extremes(model.properties.stability_ratio)
+}
+
+/// Takes `material`, at its parameters, to the extremes of directions.
+#[must_use]
+pub fn examine_material(material: &Material) -> Vec<Extreme> {
+    examine_while(material, &|| true).unwrap_or_default()
+}
+
+/// What [`examine_material`] finds, asked as a question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ranking {
+    /// The material.
+    pub material: Material,
+}
+
+impl Question for Ranking {
+    type Answer = Vec<Extreme>;
+
+    const USES_HELD: bool = false;
+
+    fn answer(&self, _: &Asked<'_>, _: Detail, is_wanted: IsWanted<'_>) -> Option<Vec<Extreme>> {
+        examine_while(&self.material, is_wanted)
+    }
+}
+
+/// [`examine_material`]; `None` where it was not wanted to the end.
+fn examine_while(material: &Material, is_wanted: IsWanted<'_>) -> Option<Vec<Extreme>> {
+    let mut models = material.components().iter().map(Component::model);
+    let is_reciprocal = models.all(is_reciprocal);
+    let subject = Subject::of_material(material);
+    let mut tally = Tally::default();
+    let about = directions::about(&subject);
+    let all = directions::pairs()
+        .into_iter()
+        .chain(about)
+        .collect::<Vec<_>>();
+    for some in all.chunks(PAIRS_AT_A_TIME) {
+        is_wanted().then_some(())?;
+        at_pairs(&subject, None, some, is_reciprocal, &mut tally);
+    }
+    is_wanted().then_some(())?;
+    at_samples(&subject, &mut tally);
+    is_wanted().then_some(())?;
+    jumps::jumps(&subject, &mut tally);
+    is_wanted().then_some(())?;
+    search::climb_at(&subject, &mut tally);
+    let models = material.components().iter().map(Component::model);
+    let ratios = models.map(|model| model.properties.stability_ratio);
+    Some(tally.into_extremes(ratios.fold(1.0, f64::max)))
+}
+
+/// So many pairs are compared before it is asked again whether the answer is wanted.
+const PAIRS_AT_A_TIME: usize = 256;
+
+/// Whether the model is said to keep reciprocity.
+fn is_reciprocal(model: &ModelSpec) -> bool {
+    let declarations = model.properties.declarations;
+    declarations
+        .iter()
+        .all(|declaration| declaration.law != Law::Reciprocity)
+}
+
+/// Compares at every pair, in every precision, under the cases of the directions and that of the parameters; what lies inside
+/// the core, which no material has, is counted for itself alone.
+fn at_pairs(
+    subject: &Subject,
+    of_parameters: Option<Case>,
+    pairs: &[(Case, Pair)],
+    is_reciprocal: bool,
+    tally: &mut Tally,
+) {
+    let (single, double) = (point::single(subject), point::double(subject));
+    for (case, pair) in pairs {
+        let of_directions = (of_parameters != Some(Case::Core)).then_some(*case);
+        let cases: Vec<Case> = of_parameters.into_iter().chain(of_directions).collect();
+        single.measure(&cases, *pair, tally);
+        double.measure(&cases, *pair, tally);
+        let finding = point::reference_is_good(subject, *pair);
+        let (wo, wi) = *pair;
+        tally.add(&cases, Df64::NAME, finding, || {
+            (subject.name.clone(), wo, wi)
+        });
+        if is_reciprocal && *case != Case::Ladder {
+            single.two_ways(*pair, tally);
+            double.two_ways(*pair, tally);
+        }
+    }
+}
+
+/// Draws samples at the ends of the unit cube, in every precision.
+fn at_samples(subject: &Subject, tally: &mut Tally) {
+    let cases = [Case::SamplerEnds];
+    samples::samples(&point::single(subject), &cases, tally);
+    samples::samples(&point::double(subject), &cases, tally);
+    samples::samples(&point::reference(subject), &cases, tally);
+}

@@ -1,0 +1,193 @@
+//! Points by chance, and the way uphill from the worst.
+
+use glam::DVec3;
+
+use super::Case;
+use super::directions::{Pair, random_pair};
+use super::parameters::random_set;
+use super::point::{self, Tested};
+use super::samples;
+use super::tally::Tally;
+use crate::analysis::statistics::Random;
+use crate::bxdf::math::Real;
+use crate::bxdf::param::{Kind, ParamSet, Value};
+use crate::bxdf::{Component, ModelSpec};
+use crate::lab::subject::Subject;
+
+/// Random pairs at one set of parameters.
+const PAIRS_OF_SET: u64 = 256;
+
+/// Starts of a climb in each precision.
+const STARTS: usize = 4;
+
+/// Steps tried from each start.
+const STEPS: usize = 128;
+
+/// Compares at `count` random points of `model`.
+pub(super) fn random(model: &ModelSpec, count: u64, tally: &mut Tally) {
+    let mut random = Random::new(seed_of(model.id));
+    let cases = [Case::Random];
+    let mut done = 0;
+    while done < count {
+        let Some(params) = random_set(model, &mut random) else {
+            continue;
+        };
+        let subject = Subject::new(model, &params);
+        let pairs = PAIRS_OF_SET.min(count - done);
+        for _ in 0..pairs {
+            at_random(&subject, &cases, &mut random, tally);
+        }
+        done += pairs;
+    }
+}
+
+/// Compares at one random pair, and draws one random sample.
+fn at_random(subject: &Subject, cases: &[Case], random: &mut Random, tally: &mut Tally) {
+    let pair = random_pair(random);
+    let u = [random.unit(), random.unit(), random.unit()];
+    let (single, double) = (point::single(subject), point::double(subject));
+    single.measure(cases, pair, tally);
+    double.measure(cases, pair, tally);
+    let (wo, wi) = pair;
+    tally.add(
+        cases,
+        "reference",
+        point::reference_is_good(subject, pair),
+        || (subject.name.clone(), wo, wi),
+    );
+    samples::sample(&single, cases, wo, u, tally);
+    samples::sample(&double, cases, wo, u, tally);
+    samples::sample(&point::reference(subject), cases, wo, u, tally);
+}
+
+/// A number for each id: the FNV-1a hash.
+fn seed_of(id: &str) -> u64 {
+    id.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// Goes uphill from the worst points so far, in parameters and directions, each time to where the error uses up more of its
+/// bound.
+pub(super) fn climb(model: &ModelSpec, tally: &mut Tally) {
+    let mut random = Random::new(seed_of(model.id) ^ 1);
+    for (precision, worst) in starts(tally) {
+        // What lies inside the core alone is no material.
+        let Ok(start) = worst.params.parse::<Component>() else {
+            continue;
+        };
+        let mut at = (start.params().clone(), (worst.wo, worst.wi));
+        let mut subject = Subject::new(model, &at.0);
+        let mut highest = 0.0;
+        for step in 0..STEPS {
+            let reach = 10.0_f64.powf(-8.0 * random.unit());
+            let params = (step % 3 == 1).then(|| moved_params(&at.0, reach, &mut random));
+            let pair = moved_pair(at.1, reach, &mut random);
+            let moved = params
+                .filter(|params| (model.validate)(params).is_ok())
+                .map(|params| (Subject::new(model, &params), params));
+            let other = moved.as_ref().map_or(&subject, |(subject, _)| subject);
+            let ratio = measured(other, precision, pair, tally);
+            if ratio > highest {
+                highest = ratio;
+                at.1 = pair;
+                if let Some((other, params)) = moved {
+                    (subject, at.0) = (other, params);
+                }
+            }
+        }
+    }
+}
+
+/// [`climb`] in directions alone.
+pub(super) fn climb_at(subject: &Subject, tally: &mut Tally) {
+    let mut random = Random::new(seed_of(&subject.name) ^ 1);
+    for (precision, worst) in starts(tally) {
+        let (mut at, mut highest) = ((worst.wo, worst.wi), 0.0);
+        for _ in 0..STEPS {
+            let reach = 10.0_f64.powf(-8.0 * random.unit());
+            let pair = moved_pair(at, reach, &mut random);
+            let ratio = measured(subject, precision, pair, tally);
+            if ratio > highest {
+                (highest, at) = (ratio, pair);
+            }
+        }
+    }
+}
+
+/// The worst points so far in each precision, the worst first, one of each case.
+fn starts(tally: &Tally) -> Vec<(&'static str, super::Worst)> {
+    let of_precision = |precision: &'static str| {
+        let mut found: Vec<_> = tally
+            .extremes()
+            .filter(|extreme| extreme.precision == precision && extreme.case.is_of_values())
+            .filter_map(|extreme| Some((extreme.max_bound_ratio, extreme.worst.clone()?)))
+            .collect();
+        found.sort_by(|a, b| b.0.total_cmp(&a.0));
+        found.dedup_by(|a, b| a.1 == b.1);
+        found.truncate(STARTS);
+        found.into_iter().map(move |(_, worst)| (precision, worst))
+    };
+    [f32::NAME, f64::NAME]
+        .into_iter()
+        .flat_map(of_precision)
+        .collect()
+}
+
+/// The ratio at a pair in the precision of this name, exact if it is above what the climb has found so far.
+fn measured(subject: &Subject, precision: &str, pair: Pair, tally: &mut Tally) -> f64 {
+    if precision == f32::NAME {
+        followed(&point::single(subject), pair, tally)
+    } else {
+        followed(&point::double(subject), pair, tally)
+    }
+}
+
+fn followed<R: Real>(at: &Tested<'_, R>, pair: Pair, tally: &mut Tally) -> f64 {
+    let finding = at.compare(pair, 0.0);
+    tally.add(&[Case::Climb], R::NAME, finding, || at.at(pair));
+    finding.ratio
+}
+
+/// `params` with one number moved by about `reach` of itself, within its range.
+fn moved_params(params: &ParamSet, reach: f64, random: &mut Random) -> ParamSet {
+    let numbers: Vec<_> = params
+        .iter()
+        .filter(|(spec, _)| {
+            matches!(spec.kind, Kind::Number | Kind::Rgb) && params.is_relevant(spec)
+        })
+        .collect();
+    let index = (random.unit() * numbers.len() as f64) as usize;
+    let Some((spec, value)) = numbers.get(index) else {
+        return params.clone();
+    };
+    let [min, max] = spec.hard;
+    let factor = 1.0 + reach * (2.0 * random.unit() - 1.0);
+    let moved = |x: f64| (x * factor).clamp(min, max);
+    let value = match *value {
+        Value::Number(x) => Value::Number(moved(x)),
+        Value::Rgb(rgb) => Value::Rgb(rgb.map(moved)),
+        other => other,
+    };
+    params
+        .with(&[(spec.name, value)])
+        .unwrap_or_else(|| params.clone())
+}
+
+/// `pair` with one of the directions moved by about `reach`, or nearer to the horizon or farther by that share.
+fn moved_pair((wo, wi): Pair, reach: f64, random: &mut Random) -> Pair {
+    let [which, how] = random.pair();
+    let mut moved = |w: DVec3| {
+        let to = if how < 0.5 {
+            w + random.direction() * reach
+        } else {
+            DVec3::new(w.x, w.y, w.z * (1.0 + reach * (2.0 * random.unit() - 1.0)))
+        };
+        to.try_normalize().unwrap_or(w)
+    };
+    if which < 0.5 {
+        (moved(wo), wi)
+    } else {
+        (wo, moved(wi))
+    }
+}

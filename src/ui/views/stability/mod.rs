@@ -1,0 +1,127 @@
+//! The stability: where floating point gives out for the selected material, and why formulas are written as they are.
+
+mod formulas;
+mod map;
+mod worst;
+
+use egui::Ui;
+
+use super::{Cursor, ViewContext, ViewSpec};
+use crate::lab::contract::Witness;
+use crate::lab::stability::map::Axis;
+use crate::lab::trial::TRIALS;
+use crate::ui::export::table;
+use crate::ui::session::{ErrorUnit, Session, StabilityPlot};
+use crate::ui::theme;
+use crate::ui::widgets::{choice, draw};
+
+/// The list entry.
+pub(super) const SPEC: ViewSpec = ViewSpec {
+    id: "stability",
+    title: "Stability",
+    what_you_see: "How far f32 and f64 are off, over two angles or parameters: bright where digits \
+        are lost, contours where the inputs themselves explain it",
+    show,
+    table: Some(table::stability),
+    is_mesh: false,
+};
+
+fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    controls(ui, cx.session);
+    match cx.session.views.stability.plot {
+        StabilityPlot::Formulas => formulas::show(ui, cx),
+        StabilityPlot::Map if cx.session.material().is_delta_only() => {
+            let note = "All light is in Dirac deltas: f and the density are 0 everywhere";
+            draw::centred_note(ui, note);
+        }
+        StabilityPlot::Map => maps_and_list(ui, cx),
+    }
+}
+
+/// The maps, with the list of the worst points beside or below them.
+fn maps_and_list(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    let room = ui.available_size();
+    if room.x > theme::ADVICE_BESIDE {
+        ui.horizontal_top(|ui| {
+            ui.allocate_ui(egui::vec2(room.x - theme::ADVICE_WIDTH, room.y), |ui| {
+                ui.vertical(|ui| map::show(ui, cx));
+            });
+            ui.vertical(|ui| worst::show(ui, cx));
+        });
+    } else if room.y > theme::LIST_BELOW {
+        let height = room.y * theme::CHART_SHARE;
+        ui.allocate_ui(egui::vec2(room.x, height), |ui| map::show(ui, cx));
+        worst::show(ui, cx);
+    } else {
+        map::show(ui, cx);
+    }
+}
+
+fn controls(ui: &mut Ui, session: &mut Session) {
+    let axes = Axis::all(session.material());
+    let (x, y) = session.stability_axes();
+    let options = &mut session.views.stability;
+    ui.horizontal_wrapped(|ui| {
+        let hint = "The selected material over two axes, or the forms of formulas that keep or lose \
+            their digits";
+        choice::choice(ui, ("Show", hint), &mut options.plot, StabilityPlot::ALL, StabilityPlot::title);
+        if options.plot == StabilityPlot::Formulas {
+            formula_choice(ui, &mut options.trial);
+            return;
+        }
+        let hint = "What runs to the right; all else stays as it is";
+        axis_choice(ui, ("Across", hint), &mut options.x, &x, &axes);
+        let hint = "What runs upwards";
+        axis_choice(ui, ("Up", hint), &mut options.y, &y, &axes);
+        let hint = "In units of u, the rounding of one operation (6e-8 in f32, 1.1e-16 in f64); as a \
+            share of the value; or over what the stability law allows, 16 (1 + κ) u: above 1 the \
+            formula is to blame, not the inputs";
+        choice::choice(ui, ("Errors", hint), &mut options.unit, ErrorUnit::ALL, ErrorUnit::title);
+        let hint = "Lines of equal condition number κ, one for each decade: how much the rounding \
+            of the inputs is multiplied";
+        choice::switch(ui, ("κ", hint), &mut options.has_contours);
+    });
+}
+
+fn axis_choice(
+    ui: &mut Ui,
+    (name, hint): (&str, &str),
+    chosen: &mut String,
+    shown: &Axis,
+    axes: &[Axis],
+) {
+    let mut id = shown.id();
+    choice::named_combo(ui, (name, name, hint), &shown.title(), |ui| {
+        for axis in axes {
+            ui.selectable_value(&mut id, axis.id(), axis.title());
+        }
+    });
+    if id != shown.id() {
+        *chosen = id;
+    }
+}
+
+fn formula_choice(ui: &mut Ui, chosen: &mut String) {
+    let shown = formulas::chosen(chosen);
+    let mut id = shown.id;
+    let hint = "A quantity written as textbooks have it, and as the core has it";
+    choice::named_combo(ui, ("Formula", "Formula", hint), shown.title, |ui| {
+        for trial in &TRIALS {
+            ui.selectable_value(&mut id, trial.id, trial.title);
+        }
+    });
+    if id != shown.id {
+        id.clone_into(chosen);
+    }
+}
+
+/// Holds one direction of this pair of the selected material's surface, and points at the other.
+fn go_to(cx: &mut ViewContext<'_>, wo: glam::DVec3, wi: glam::DVec3) {
+    let witness = Witness {
+        text: String::new(),
+        wo: Some(wo),
+        wi: Some(wi),
+    };
+    let selected = cx.session.materials.selected().id();
+    *cx.cursor = Cursor::jump(cx.session, selected, &witness);
+}
