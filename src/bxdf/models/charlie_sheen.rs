@@ -16,7 +16,7 @@
 //! every roughness (both declared below). Samples are uniform over the hemisphere, which the authors found better than
 //! sampling D: f mu_i is at most D / (4 mu_o (1 + Lambda_o)), so that down to mu_o of 1e-6 no weight exceeds 26 times the
 //! reflectance at roughness .01, and 1.8 times at 1. Lambda is the exponential of up to 20, whose rounding shows
-//! twentyfold: errors reach 1.2 times their bound.
+//! twentyfold: errors reach 1.3 times their bound.
 
 use super::*;
 use crate::bxdf::math::warp;

@@ -17,7 +17,7 @@
 //! As `rough_conductor`, one meeting with a facet only. eta = 1 exactly is no surface: f and pdf are 0, light goes
 //! straight on as a delta. Close to 1 the transmitted lobe narrows to (eta - 1) alpha, below what f32 resolves of a
 //! direction where that is under 1e-7. Far out in the tail of a Beckmann lobe D may underflow in f32 where f does not, next
-//! to index 1 where |g|^2 is as small as 1e-8: below 1e-30 the error uses up to 4.2 times its bound.
+//! to index 1 where |g|^2 is as small as 1e-8: below 1e-30 the error uses up to 28 times its bound.
 
 use super::*;
 use crate::bxdf::delta_only::{DeltaOnly, Unscattered};
@@ -53,7 +53,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             params.number("alpha_x") == params.number("alpha_y") || params.number("eta") == 1.0
         },
         relative_index: |params| params.number("eta"),
-        stability_ratio: 5.0,
+        stability_ratio: 40.0,
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,

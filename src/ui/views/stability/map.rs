@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Align2, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 
 use super::{ViewContext, go_to};
@@ -26,7 +26,7 @@ const ERRORS: [f64; 2] = [1e-17, 1.0];
 const RATIOS: [f64; 2] = [1e-3, 10.0];
 
 /// The numbers of roundings that colours tell apart.
-const ROUNDINGS: [f64; 2] = [0.1, 1e5];
+const ROUNDINGS: [f64; 2] = [0.1, 1e3];
 
 /// One rounding in each precision.
 const UNIT_ROUNDOFFS: [f64; 2] = [f32::UNIT_ROUNDOFF, f64::UNIT_ROUNDOFF];
@@ -54,6 +54,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let whole = ui.available_rect_before_wrap();
     let room = pictures::color_bar(ui, whole, scale, name, cx.palette);
     let cells = pictures::cells(room, PRECISIONS.len(), 1.0);
+    let mut note = None;
     for (index, cell) in cells.into_iter().enumerate() {
         let mut picture = cell.picture;
         picture.min.x += LABELS.x;
@@ -65,7 +66,11 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         let font = draw::body_font(ui);
         ui.painter()
             .text(place, Align2::LEFT_BOTTOM, title, font, cx.palette.ink);
-        show_map(ui, cx, picture, (&request, &map, index), scale);
+        note = show_map(ui, cx, picture, (&request, &map, index), scale).or(note);
+    }
+    // Over both maps.
+    if let Some((pointer, text)) = note {
+        draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
     }
     ui.advance_cursor_after_rect(whole);
 }
@@ -80,13 +85,14 @@ fn value(cell: &Cell, precision: usize, unit: ErrorUnit) -> f64 {
     }
 }
 
+/// Draws the map of a precision. Returns what is to be said where the pointer is.
 fn show_map(
     ui: &Ui,
     cx: &mut ViewContext<'_>,
     rect: Rect,
     (request, map, precision): (&Request, &Arc<Map>, usize),
     scale: ColorScale,
-) {
+) -> Option<(Pos2, String)> {
     let unit = cx.session.views.stability.unit;
     let id = ui.scope_id().with(("stability", precision));
     let paint = || scale.paint(&map.map(|cell| value(cell, precision, unit)));
@@ -111,14 +117,10 @@ fn show_map(
         PRECISIONS.get(precision).copied().unwrap_or_default()
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &name));
-    let Some(pointer) = response.hover_pos() else {
-        return;
-    };
+    let pointer = response.hover_pos()?;
     let [x, y] = pictures::share_of(rect, pointer);
     let pixel = [x * map.width as f64, y * map.height as f64];
     let cell = map.at(pixel[0] as usize, pixel[1] as usize);
-    let text = read_out(request, [x, 1.0 - y], cell);
-    draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
     if response.clicked()
         && let Some(place) = request.place_at([x, 1.0 - y])
     {
@@ -126,6 +128,7 @@ fn show_map(
         cx.session.materials.selected_mut().material = place.material;
         go_to(cx, wo, wi);
     }
+    Some((pointer, read_out(request, [x, 1.0 - y], cell)))
 }
 
 fn mirror_of(w: DVec3) -> DVec3 {
