@@ -181,10 +181,11 @@ impl<R: Real> Bxdf<R> for CharlieSheen<R> {
             return Spectrum::black();
         };
         let masking = R::one() + (self.lambda(wi.z) + self.lambda(wo.z));
-        // One after the other: their products may underflow where the value does not.
+        // One after the other: their products may underflow where the value does not. Towards the horizon masking is 3e7 at
+        // least, so that the quotient by the lower cosine does not overflow.
         let (low, high) = (wi.z.min(wo.z), wi.z.max(wo.z));
         let root = self.root_of_power(wh);
-        let shape = root / low * (root * self.d_per_power() / (R::of(4.0) * masking * high));
+        let shape = root / (R::of(4.0) * masking) / low * (root * self.d_per_power() / high);
         self.reflectance * shape.saturated()
     }
 
