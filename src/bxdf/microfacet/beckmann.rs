@@ -2,8 +2,7 @@
 //!
 //! # Source
 //! Beckmann & Spizzichino 1963 (`beckmann1963`), Walter et al. 2007, eqs. 25 to 29 (`walter2007`), Heitz 2014 for Lambda
-//! and the distribution of visible slopes (`heitz2014`); Jakob 2014 for the first guess of its inverse (`jakob2014`), and Giles
-//! 2011 for that of erf (`giles2011`).
+//! and the distribution of visible slopes (`heitz2014`).
 //!
 //! # Departures
 //! None in value: masking uses erf itself, not the popular rational fit (`beckmann_rational`), so that sampling and density
@@ -11,7 +10,8 @@
 //! z (1 + 2 Lambda) = z + s (exp(-A^2) / sqrt(pi) - A erfc(A)): a sum of positive terms, the second of which is at most
 //! the rounding of the first where its own difference cancels; and no tangent.
 
-use super::{Masked, Normals};
+use super::visible_slope::{central_slope, visible_slope};
+use super::{Masked, Masking, Normals, Pair};
 use crate::bxdf::math::{Real, Vec3};
 
 /// Below this cos^2 the exponent of D is beyond 1 / 1e-3 - 1 = 999 for every width to 1: exp underflows to 0 in every
@@ -20,13 +20,6 @@ const SMALLEST_COS_SQUARED: f64 = 1e-3;
 
 /// Where A stops to matter: erf(30) = 1 and exp(-900) = 0 in every precision. Caps A = z / 0 at normal incidence.
 const LARGEST_A: f64 = 30.0;
-
-/// Visible slopes in units of alpha lie within +-10: beyond it lies a share of exp(-100) = 4e-44, less than the smallest
-/// step of a random number in any precision.
-const LARGEST_SLOPE: f64 = 10.0;
-
-/// Steps of the inversion at most: bisection alone brings 20 down to 2e-11 in 40.
-const MAX_STEPS: usize = 40;
 
 /// Beckmann with widths `alpha_x`, `alpha_y` along s and t, both above 0.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +30,15 @@ pub struct Beckmann<R> {
     per_alpha: [R; 2],
     /// 1 / (pi alpha_x alpha_y), D at the pole.
     peak: R,
+    /// By how much exponents far below 0 are raised where a large factor may bring the product back from underflow.
+    raise: R,
+}
+
+/// Where a normal is in the distribution: D is the peak times exp(`exponent`) times `per_cos4`, or 0.
+struct Place<R> {
+    exponent: R,
+    per_cos4: R,
+    is_level: bool,
 }
 
 impl<R: Real> Beckmann<R> {
@@ -48,7 +50,37 @@ impl<R: Real> Beckmann<R> {
             alpha_y,
             per_alpha: [one / alpha_x, one / alpha_y],
             peak: one / (R::PI() * (alpha_x * alpha_y)),
+            raise: R::of(R::RESCALE).ln(),
         }
+    }
+
+    #[inline(always)]
+    fn place(&self, wh: Vec3<R>) -> Place<R> {
+        let z2 = wh.z * wh.z;
+        let safe_z2 = z2.max(R::of(SMALLEST_COS_SQUARED));
+        let [per_x, per_y] = self.per_alpha;
+        let (x, y) = (wh.x * per_x, wh.y * per_y);
+        let per_z2 = R::one() / safe_z2;
+        Place {
+            exponent: -(x * x + y * y) * per_z2,
+            per_cos4: per_z2 * per_z2,
+            is_level: z2 < safe_z2,
+        }
+    }
+
+    /// D at `wh` times `factor`, also where D alone underflows.
+    #[inline(always)]
+    pub(super) fn d_times(&self, wh: Vec3<R>, factor: R) -> R {
+        let (zero, one) = (R::zero(), R::one());
+        let place = self.place(wh);
+        let (raise, lower) = if place.exponent < -self.raise {
+            (self.raise, R::of(1.0 / R::RESCALE))
+        } else {
+            (zero, one)
+        };
+        let bell = (place.exponent + raise).exp();
+        let density = (self.peak * (factor * lower)) * bell * place.per_cos4;
+        if place.is_level { zero } else { density }
     }
 
     /// |z| (1 + 2 Lambda(w)): what `Ggx::stretched_length` is for GGX.
@@ -78,14 +110,21 @@ impl<R: Real> Normals<R> for Beckmann<R> {
     /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides. It may underflow to 0.
     #[inline(always)]
     fn d(&self, wh: Vec3<R>) -> R {
-        let z2 = wh.z * wh.z;
-        let safe_z2 = z2.max(R::of(SMALLEST_COS_SQUARED));
-        let [per_x, per_y] = self.per_alpha;
-        let (x, y) = (wh.x * per_x, wh.y * per_y);
-        let per_z2 = R::one() / safe_z2;
-        let bell = (-(x * x + y * y) * per_z2).exp();
-        let density = self.peak * bell * (per_z2 * per_z2);
-        if z2 < safe_z2 { R::zero() } else { density }
+        let place = self.place(wh);
+        let density = self.peak * place.exponent.exp() * place.per_cos4;
+        if place.is_level { R::zero() } else { density }
+    }
+
+    #[inline(always)]
+    fn stretched_lobe(&self, pair: &Pair<R>, masking: Masking, factor: R) -> R {
+        let inverse = self.inverse_visibility(pair.wo, pair.wi, masking);
+        (self.d_times(pair.wh, factor) / inverse).saturated()
+    }
+
+    #[inline(always)]
+    fn stretched_pdf(&self, pair: &Pair<R>, factor: R) -> R {
+        let inverse = self.masked(pair.wo).normals_per_direction();
+        (self.d_times(pair.wh, factor) / inverse).saturated()
     }
 
     #[inline(always)]
@@ -130,153 +169,9 @@ impl<R: Real> Normals<R> for Beckmann<R> {
     }
 }
 
-/// The slope x, of a Gaussian exp(-x^2), that a viewer at polar angle theta sees with probability `u` or below.
-///
-/// Its cumulative weight is C(x) = cos erfc(-x) + sin exp(-x^2) / sqrt(pi) up to x = cot(theta), where a facet turns
-/// away. C(x) = u C(cot) is solved by Halley's method inside a bracket that shrinks at every step: C is flat in the tail
-/// and at the upper end, where a bare step leaves the range. The first guess is made in erf(x), in which C is
-/// nearly straight.
-#[inline(always)]
-fn visible_slope<R: Real>(cos: R, sin: R, u: R) -> R {
-    let largest = R::of(LARGEST_SLOPE);
-    let end = if largest * sin > cos {
-        cos / sin
-    } else {
-        largest
-    };
-    // u = 0 stands for all numbers down to the next: half the smallest step, rather than a slope of minus infinity.
-    let u = u.at_least(R::of(0.5 * R::UNIT_ROUNDOFF));
-    let guess = first_guess(cos, sin, end, u);
-    let mut bracket = Bracket {
-        cos,
-        sin,
-        // C(cot), as cot sin is cos.
-        target: u * (cos + cos + sin * end.ierfc()),
-        low: -largest,
-        high: end,
-        x: guess.at_least(-largest).at_most(end),
-    };
-    if R::FUNCTIONS_VECTORISE {
-        // As many as leave less than the rounding, written out: a loop that ends early has no wide form.
-        return bracket.step().step().x;
-    }
-    // The digits triple: a step of sqrt(round-off) is the last that matters.
-    let last_step = R::of(R::UNIT_ROUNDOFF.sqrt());
-    for _ in 0..MAX_STEPS {
-        let next = bracket.step();
-        let step = (next.x - bracket.x).abs();
-        bracket = next;
-        if step <= last_step {
-            break;
-        }
-    }
-    bracket.x
-}
-
-/// The slope across the plane of sight, of which all are visible: erf(x) = 2 `u` - 1, by the fit of Giles 2011 for single
-/// precision.
-#[inline(always)]
-fn central_slope<R: Real>(u: R) -> R {
-    const NEAR: [f64; 9] = [
-        1.501_409_41,
-        0.246_640_727,
-        -0.004_177_681_64,
-        -0.001_253_725_03,
-        0.000_218_580_87,
-        -4.391_506_54e-6,
-        -3.523_387_7e-6,
-        3.432_739_39e-7,
-        2.810_226_36e-8,
-    ];
-    const FAR: [f64; 9] = [
-        2.832_976_82,
-        1.001_674_06,
-        0.009_438_870_47,
-        -0.007_622_461_3,
-        0.005_739_507_73,
-        -0.003_673_428_44,
-        0.001_349_343_22,
-        0.000_100_950_558,
-        -0.000_200_214_257,
-    ];
-    let (one, four) = (R::one(), R::of(4.0));
-    let u = u.at_least(R::of(0.5 * R::UNIT_ROUNDOFF));
-    let w = -(four * u * (one - u)).ln();
-    let sum = |x: R, fit: [f64; 9]| {
-        let mut sum = R::zero();
-        for c in fit.into_iter().rev() {
-            sum = sum * x + R::of(c);
-        }
-        sum
-    };
-    let near = sum(w - R::of(2.5), NEAR);
-    let far = sum(w.sqrt_clamped() - R::of(3.0), FAR);
-    (u + u - one) * if w < R::of(5.0) { near } else { far }
-}
-
-/// Where the slope is sought whose cumulative weight is `target`: between `low` and `high`, at `x` next.
-#[derive(Clone, Copy)]
-struct Bracket<R> {
-    cos: R,
-    sin: R,
-    target: R,
-    low: R,
-    high: R,
-    x: R,
-}
-
-impl<R: Real> Bracket<R> {
-    /// The bracket after one step of Halley's method, or a bisection where that would leave it.
-    #[inline(always)]
-    fn step(self) -> Self {
-        let Self { cos, sin, x, .. } = self;
-        let bell = R::FRAC_2_SQRT_PI() * (-(x * x)).exp();
-        let excess = cos * (-x).erfc() + sin * bell * R::of(0.5) - self.target;
-        let is_below = excess < R::zero();
-        let low = if is_below { x } else { self.low };
-        let high = if is_below { self.high } else { x };
-        // C' = bell seen, C'' / C' = -2 x - sin / seen; all by one division.
-        let seen = cos - x * sin;
-        let twice = seen + seen;
-        let next = x - twice * excess / (twice * (bell * seen + excess * x) + excess * sin);
-        let middle = (low + high) * R::of(0.5);
-        let is_inside = next >= low && next <= high;
-        Self {
-            low,
-            high,
-            x: if is_inside { next } else { middle },
-            ..self
-        }
-    }
-}
-
-/// A visible slope to about 1 %, of those up to `end`: Jakob's fit of erf(x), and Winitzki's elementary inverse of erf.
-#[inline(always)]
-fn first_guess<R: Real>(cos: R, sin: R, end: R, u: R) -> R {
-    /// The coefficients of Jakob 2014, in the polar angle.
-    const FIT: [f64; 3] = [-0.876, 0.4265, -0.0594];
-    /// Winitzki's constant.
-    const A: f64 = 0.147;
-    let (one, half) = (R::one(), R::of(0.5));
-    let theta = sin.atan2(cos);
-    let [c1, c2, c3] = FIT.map(R::of);
-    let exponent = one + theta * (c1 + theta * (c2 + theta * c3));
-    let erf_end = end.erf();
-    let y = erf_end - (one + erf_end) * ((one - u).ln() * exponent).exp();
-    // Kept off +-1, where the inverse is infinite.
-    let most = one - R::of(4.0 * R::UNIT_ROUNDOFF.max(1e-13));
-    let y = y.at_least(-most).at_most(most);
-    let log = ((one - y) * (one + y)).ln();
-    let b = R::of(std::f64::consts::FRAC_2_PI / A) + half * log;
-    let square = (b * b - log / R::of(A)).sqrt() - b;
-    let magnitude = square.sqrt_clamped();
-    if y < R::zero() { -magnitude } else { magnitude }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::math::Fast;
 
     #[test]
     fn the_peak_is_the_published_one_and_the_horizon_is_empty() {
@@ -305,56 +200,26 @@ mod tests {
     }
 
     #[test]
-    fn slopes_invert_their_distribution_at_every_angle() {
-        fn round_trip<R: Real>(tolerance: f64) {
-            for cos in [1.0, 0.999, 0.5, 1e-3, 1e-20] {
-                let sin = f64::sqrt((1.0 - cos) * (1.0 + cos));
-                let (cos, sin) = (R::of(cos), R::of(sin));
-                let weight = |x: R| {
-                    cos * (-x).erfc() + sin * (-(x * x)).exp() * R::FRAC_2_SQRT_PI() * R::of(0.5)
-                };
-                let end = if sin > R::zero() {
-                    cos / sin
-                } else {
-                    R::of(LARGEST_SLOPE)
-                };
-                let end = end.min(R::of(LARGEST_SLOPE));
-                for u in [1e-6, 1e-3, 0.1, 0.5, 0.9, 0.999, 1.0 - 1e-6] {
-                    let u = R::of(u);
-                    let x = visible_slope(cos, sin, u);
-                    let back = weight(x) / weight(end);
-                    assert!(
-                        (back - u).as_f64().abs() < tolerance,
-                        "{} {cos:?} {u:?}: {back:?}",
-                        R::NAME
-                    );
-                }
-                for u in [R::zero(), R::one() - R::of(R::UNIT_ROUNDOFF)] {
-                    // The fit is for single precision, and used there alone.
-                    let is_fitted = R::FUNCTIONS_VECTORISE;
-                    assert!(!is_fitted || central_slope(u).abs() <= R::of(LARGEST_SLOPE));
-                    assert!(visible_slope(cos, sin, u).abs() <= R::of(LARGEST_SLOPE));
-                }
-            }
+    fn a_large_factor_brings_back_what_underflows() {
+        // Exponents from -60 to -120: in f32 D has lost its digits from -87 on, and from -104 on it is 0.
+        let (alpha, factor) = (1e-3_f32, 1e14_f32);
+        let (single, double) = (
+            Beckmann::new(alpha, alpha),
+            Beckmann::new(f64::from(alpha), f64::from(alpha)),
+        );
+        for step in 0..=60_u8 {
+            let exponent = 60.0 + f32::from(step);
+            let slope = alpha * exponent.sqrt();
+            let (wh, _) = Vec3::new(slope, 0.0, 1.0).unit_and_length().unwrap();
+            let exact =
+                double.d(Vec3::new(wh.x.into(), wh.y.into(), wh.z.into())) * f64::from(factor);
+            let error = |d: f32| (f64::from(d) / exact - 1.0).abs();
+            let off = error(single.d_times(wh, factor));
+            // The rounding of the exponent, and of a dozen operations.
+            let bound = (4.0 * f64::from(exponent) + 12.0) * f32::UNIT_ROUNDOFF;
+            assert!(off < bound, "{exponent}: {off}");
+            let plain = error(single.d(wh) * factor);
+            assert!(exponent < 90.0 || plain > 1e-3, "{exponent}: {plain}");
         }
-        for u in [
-            1e-7_f32,
-            1e-6,
-            1e-3,
-            0.1,
-            0.499,
-            0.5,
-            0.9,
-            0.999,
-            1.0 - 1e-6,
-        ] {
-            let back = 0.5 * Real::erfc(-f64::from(central_slope(Fast(u)).0));
-            assert!((back - f64::from(u)).abs() < 3e-7, "{u}: {back}");
-        }
-        // A dozen roundings; in the reference precision the last step of 1e-16 leaves its square.
-        round_trip::<Fast<f32>>(1e-6);
-        round_trip::<f32>(1e-6);
-        round_trip::<f64>(2e-15);
-        round_trip::<xprec::Df64>(1e-29);
     }
 }

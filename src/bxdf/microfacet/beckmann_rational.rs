@@ -14,7 +14,7 @@
 //! the fit is in the value alone, and saves its time there.
 
 use super::beckmann::Beckmann;
-use super::{Masked, Normals, Pair};
+use super::{Masked, Masking, Normals, Pair};
 use crate::bxdf::math::{Real, Vec3};
 
 /// From this A on nothing is masked.
@@ -66,6 +66,17 @@ impl<R: Real> Normals<R> for BeckmannRational<R> {
     #[inline(always)]
     fn reflection_pdf(&self, pair: &Pair<R>) -> R {
         self.0.reflection_pdf(pair)
+    }
+
+    #[inline(always)]
+    fn stretched_lobe(&self, pair: &Pair<R>, masking: Masking, factor: R) -> R {
+        let inverse = self.inverse_visibility(pair.wo, pair.wi, masking);
+        (self.0.d_times(pair.wh, factor) / inverse).saturated()
+    }
+
+    #[inline(always)]
+    fn stretched_pdf(&self, pair: &Pair<R>, factor: R) -> R {
+        self.0.stretched_pdf(pair, factor)
     }
 }
 

@@ -129,6 +129,19 @@ pub trait Normals<R: Real>: Copy + Send + Sync + 'static {
         (self.d(pair.wh) / self.masked(pair.wo).normals_per_direction()).saturated()
     }
 
+    /// [`Self::lobe`] times `factor`, which may be so large that the product does not underflow where D does: what facets
+    /// that refract make of it. Saturates.
+    #[inline(always)]
+    fn stretched_lobe(&self, pair: &Pair<R>, masking: Masking, factor: R) -> R {
+        (self.lobe(pair, masking) * factor).saturated()
+    }
+
+    /// [`Self::reflection_pdf`] times such a `factor`. Saturates.
+    #[inline(always)]
+    fn stretched_pdf(&self, pair: &Pair<R>, factor: R) -> R {
+        (self.reflection_pdf(pair) * factor).saturated()
+    }
+
     /// `wo` (on the upper side) reflected at a visible normal; it may leave below the horizon.
     #[inline(always)]
     fn sample_reflection(&self, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
@@ -172,5 +185,13 @@ impl<R: Real> Normals<R> for Distribution<R> {
 
     fn reflection_pdf(&self, pair: &Pair<R>) -> R {
         dispatched!(self.reflection_pdf(pair))
+    }
+
+    fn stretched_lobe(&self, pair: &Pair<R>, masking: Masking, factor: R) -> R {
+        dispatched!(self.stretched_lobe(pair, masking, factor))
+    }
+
+    fn stretched_pdf(&self, pair: &Pair<R>, factor: R) -> R {
+        dispatched!(self.stretched_pdf(pair, factor))
     }
 }

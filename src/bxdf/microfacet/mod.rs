@@ -9,12 +9,13 @@ pub mod gtr1;
 mod lost_energy;
 pub mod multiple_scattering;
 pub mod refraction;
+mod visible_slope;
 
 pub use distribution::{Distribution, Normals};
 
 use crate::bxdf::both_above;
 use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::fresnel::Dielectric;
+use crate::bxdf::optics::fresnel::{Dielectric, RelativeIndex};
 use crate::bxdf::optics::interface::Interface;
 use crate::bxdf::param::{ParamSet, ParamSpec, Scale, Value};
 use crate::bxdf::spec::StandIn;
@@ -153,10 +154,14 @@ impl<R: Real> Pair<R> {
         Some(Self { wo, wi, wh, cos_d })
     }
 
-    /// What a facet that is such an `interface`, of relative index `n`, does with light between the two.
+    /// What a facet that is such an `interface` does with light between the two.
     #[inline(always)]
-    pub fn dielectric(&self, interface: &impl Interface<R>, n: R) -> Dielectric<R> {
-        interface.with_sine(self.cos_d, self.sin2_d(), n)
+    pub fn dielectric(
+        &self,
+        interface: &impl Interface<R>,
+        index: RelativeIndex<R>,
+    ) -> Dielectric<R> {
+        interface.with_sine(self.cos_d, self.sin2_d(), index)
     }
 
     /// The square of the sine to [`Self::cos_d`], half the angle between the two: |wo - wi| / 2 is the sine.

@@ -3,6 +3,7 @@
 use super::Pair;
 use crate::bxdf::are_across;
 use crate::bxdf::math::{Real, Vec3};
+use crate::bxdf::optics::fresnel::RelativeIndex;
 use crate::bxdf::optics::interface::Interface;
 
 /// A facet that turns `wo` into `wi`, in the frame in which `wo` is above.
@@ -28,13 +29,13 @@ struct Half<R> {
 
 impl<R: Real> Facet<R> {
     /// The facet of such an `interface` at the half vector of two directions: the one that mirrors, or the one that
-    /// refracts. One root and one division serve both. `e` is the index on the other side over that on the side of `wo`,
-    /// `e_minus_1` that less 1. `None` where no facet does.
+    /// refracts. One root and one division serve both. `across` is the index on the other side over that on the side of
+    /// `wo`. `None` where no facet does.
     #[inline(always)]
     pub fn between(
         wo: Vec3<R>,
         wi: Vec3<R>,
-        (e, e_minus_1): (R, R),
+        across: RelativeIndex<R>,
         interface: &impl Interface<R>,
     ) -> Option<Self> {
         let is_across = are_across(wo, wi);
@@ -42,24 +43,28 @@ impl<R: Real> Facet<R> {
         // wo + e wi; where the index is near 1, the sum of the nearly opposed first.
         let g = if !is_across {
             wo + wi
-        } else if e_minus_1.abs() < R::of(0.5) {
-            (wo + wi) + wi * e_minus_1
+        } else if across.minus_1.abs() < R::of(0.5) {
+            (wo + wi) + wi * across.minus_1
         } else {
-            wo + wi * e
+            wo + wi * across.n
         };
         let (unit, length) = g.unit_and_length()?;
         let wh = if unit.z < R::zero() { -unit } else { unit };
         let half = Half { wo, wi, wh, length };
         if is_across {
-            Self::refractor(&half, e, interface)
+            Self::refractor(&half, across.n, interface)
         } else {
-            Self::mirror(&half, e, interface)
+            Self::mirror(&half, across, interface)
         }
     }
 
     /// The facet that mirrors, g being wo + wi.
     #[inline(always)]
-    fn mirror(half: &Half<R>, e: R, interface: &impl Interface<R>) -> Option<Self> {
+    fn mirror(
+        half: &Half<R>,
+        across: RelativeIndex<R>,
+        interface: &impl Interface<R>,
+    ) -> Option<Self> {
         let &Half { wo, wi, wh, length } = half;
         if wo.z <= R::zero() || wi.z <= R::zero() {
             return None;
@@ -71,7 +76,7 @@ impl<R: Real> Facet<R> {
             cos_d: (length * R::of(0.5)).at_most(R::one()),
         };
         Some(Self {
-            share: pair.dielectric(interface, e).reflectance,
+            share: pair.dielectric(interface, across).reflectance,
             pair,
             stretch: R::one(),
             factor: R::one(),

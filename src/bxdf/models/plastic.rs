@@ -23,6 +23,7 @@ use crate::bxdf::math::warp;
 use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
 use crate::bxdf::microfacet::{Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
 use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::fresnel::RelativeIndex;
 use crate::bxdf::optics::interface::{self, INTERFACE, Interface, with_interface};
 use crate::bxdf::param::{ParamSet, Scale};
 use crate::bxdf::{Delta, Deltas, Microfacet, reflected_direction, sample_reflection};
@@ -132,7 +133,7 @@ fn validate(params: &ParamSet) -> Result<()> {
 }
 
 struct Plastic<R, N, I> {
-    eta: R,
+    index: RelativeIndex<R>,
     interface: I,
     /// `None` where the coat is smooth.
     coat: Option<(N, Masking)>,
@@ -164,7 +165,7 @@ fn build_with<R: Real>(
     });
     let is_rough = params.number("alpha_x") > 0.0;
     Box::new(Plastic {
-        eta,
+        index: RelativeIndex::new(eta),
         interface,
         coat: is_rough.then(|| (normals, Masking::from_params(params))),
         ground,
@@ -180,7 +181,7 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Plastic<R, N, I> {
             return Spectrum::black();
         };
         Spectrum::grey(
-            pair.dielectric(&self.interface, self.eta).reflectance * normals.lobe(pair, *masking),
+            pair.dielectric(&self.interface, self.index).reflectance * normals.lobe(pair, *masking),
         )
     }
 
@@ -195,7 +196,7 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Plastic<R, N, I> {
 
     #[inline(always)]
     fn ground_value(&self, pair: &Pair<R>) -> Spectrum<R> {
-        let through = |w| self.interface.along(w, self.eta).transmittance;
+        let through = |w| self.interface.along(w, self.index).transmittance;
         self.ground * (through(pair.wo) * through(pair.wi))
     }
 
@@ -214,7 +215,7 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Plastic<R, N, I> {
     /// the other, which would lose the digits of a small one.
     #[inline(always)]
     fn shares(&self, w: Vec3<R>) -> [R; 2] {
-        let interface = self.interface.along(w, self.eta);
+        let interface = self.interface.along(w, self.index);
         let (coat, ground) = (
             interface.reflectance,
             interface.transmittance * self.ground_albedo,
@@ -294,13 +295,13 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for Plastic<R, N, I> {
         Some(Microfacet {
             d: normals.d(pair.wh),
             g: normals.g2(pair.wo, pair.wi, *masking),
-            fresnel: Spectrum::grey(pair.dielectric(&self.interface, self.eta).reflectance),
+            fresnel: Spectrum::grey(pair.dielectric(&self.interface, self.index).reflectance),
         })
     }
 
     #[inline(always)]
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        let reflectance = self.interface.along(w, self.eta).reflectance;
+        let reflectance = self.interface.along(w, self.index).reflectance;
         let [share, _] = self.shares(w);
         let mirror = Delta {
             direction: w.mirrored_about_normal(),

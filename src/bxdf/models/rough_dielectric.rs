@@ -16,8 +16,7 @@
 //! # Validity
 //! As `rough_conductor`, one meeting with a facet only. eta = 1 exactly is no surface: f and pdf are 0, light goes
 //! straight on as a delta. Close to 1 the transmitted lobe narrows to (eta - 1) alpha, below what f32 resolves of a
-//! direction where that is under 1e-7. Far out in the tail of a Beckmann lobe D may underflow in f32 where f does not, next
-//! to index 1 where |g|^2 is as small as 1e-8: below 1e-30 the error uses up to 28 times its bound.
+//! direction where that is under 1e-7.
 
 use super::*;
 use crate::bxdf::delta_only::{DeltaOnly, Unscattered};
@@ -25,6 +24,7 @@ use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with
 use crate::bxdf::microfacet::refraction::{Facet, upright};
 use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH};
 use crate::bxdf::optics::Spectrum;
+use crate::bxdf::optics::fresnel::RelativeIndex;
 use crate::bxdf::optics::interface::{self, INTERFACE, Interface, with_interface};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::{Microfacet, are_across};
@@ -53,7 +53,6 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             params.number("alpha_x") == params.number("alpha_y") || params.number("eta") == 1.0
         },
         relative_index: |params| params.number("eta"),
-        stability_ratio: 40.0,
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
@@ -73,7 +72,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
 };
 
 struct RoughDielectric<R, N, I> {
-    eta: R,
+    /// Seen from above, and from below.
+    indices: [RelativeIndex<R>; 2],
     normals: N,
     masking: Masking,
     interface: I,
@@ -93,8 +93,9 @@ fn build_with<R: Real>(
     normals: impl Normals<R>,
     interface: impl Interface<R>,
 ) -> Box<dyn Bxdf<R>> {
+    let from_above = RelativeIndex::new(R::of(params.number("eta")));
     Box::new(RoughDielectric {
-        eta: R::of(params.number("eta")),
+        indices: [from_above, from_above.inverse()],
         normals,
         masking: Masking::from_params(params),
         interface,
@@ -102,14 +103,14 @@ fn build_with<R: Real>(
 }
 
 impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
-    /// The index on the other side over that on the side of `w`, and that less 1.
+    /// The index on the other side over that on the side of `w`.
     #[inline(always)]
-    fn index_across(&self, w: Vec3<R>) -> (R, R) {
-        let one = R::one();
+    fn index_across(&self, w: Vec3<R>) -> RelativeIndex<R> {
+        let [from_above, from_below] = self.indices;
         if w.z > R::zero() {
-            (self.eta, self.eta - one)
+            from_above
         } else {
-            (one / self.eta, (one - self.eta) / self.eta)
+            from_below
         }
     }
 
@@ -120,14 +121,15 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
 
     #[inline(always)]
     fn value(&self, facet: &Facet<R>) -> Spectrum<R> {
-        let lobe = self.normals.lobe(&facet.pair, self.masking);
-        Spectrum::grey((facet.share * facet.factor * lobe).saturated())
+        let lobe = self
+            .normals
+            .stretched_lobe(&facet.pair, self.masking, facet.factor);
+        Spectrum::grey(facet.share * lobe)
     }
 
     #[inline(always)]
     fn density(&self, facet: &Facet<R>) -> R {
-        let pdf = self.normals.reflection_pdf(&facet.pair);
-        (facet.share * facet.stretch * pdf).saturated()
+        facet.share * self.normals.stretched_pdf(&facet.pair, facet.stretch)
     }
 
     #[inline(always)]
@@ -156,21 +158,21 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
         u: [R; 2],
         is_reflected: impl FnOnce(R) -> bool,
     ) -> Option<Vec3<R>> {
-        let (e, _) = self.index_across(wo);
+        let across = self.index_across(wo);
         let (above, _) = upright(wo, wo);
         if above.z <= R::zero() || above.z.is_nan() {
             return None;
         }
-        let wi = self.draw_above(above, e, u, is_reflected)?;
+        let wi = self.draw_above(above, across, u, is_reflected)?;
         Some(upright(wo, wi).1)
     }
 
-    /// [`Self::draw`] for a `wo` above, seen from which the index across is `e`.
+    /// [`Self::draw`] for a `wo` above.
     #[inline(always)]
     fn draw_above(
         &self,
         wo: Vec3<R>,
-        e: R,
+        across: RelativeIndex<R>,
         u: [R; 2],
         is_reflected: impl FnOnce(R) -> bool,
     ) -> Option<Vec3<R>> {
@@ -180,7 +182,9 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
             return None;
         }
         let tangent = wo - wh * cos;
-        let share = self.interface.with_sine(cos, tangent.length_squared(), e);
+        let share = self
+            .interface
+            .with_sine(cos, tangent.length_squared(), across);
         if is_reflected(share.reflectance) {
             let wi = wh * (R::of(2.0) * cos) - wo;
             if wi.z > R::zero() { Some(wi) } else { None }
@@ -188,7 +192,7 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
             None
         } else {
             // Through an index below 1 the tangent is stretched, and the rounding of wo with it.
-            let through = -(tangent * (R::one() / e)) - wh * share.cos_t;
+            let through = -(tangent * (R::one() / across.n)) - wh * share.cos_t;
             let (wi, _) = through.unit_and_length_of_short()?;
             if wi.z < R::zero() { Some(wi) } else { None }
         }
@@ -243,8 +247,7 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for RoughDielectric<R, N, 
         let Some(facet) = self.facet_of(index, wo, wi) else {
             return R::zero();
         };
-        let pdf = self.normals.reflection_pdf(&facet.pair);
-        (facet.stretch * pdf).saturated()
+        self.normals.stretched_pdf(&facet.pair, facet.stretch)
     }
 
     #[inline(always)]

@@ -6,6 +6,37 @@
 
 use crate::bxdf::math::{Real, Vec3};
 
+/// The index of the far side over that of the near side, above 0, with its difference from 1: one that is itself a quotient
+/// has lost the digits of that where it is small, and next to equal indices the difference is what counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RelativeIndex<R> {
+    /// The quotient.
+    pub n: R,
+    /// That less 1.
+    pub minus_1: R,
+}
+
+impl<R: Real> RelativeIndex<R> {
+    /// The relative index `n`, given as such: next to 1 the difference is exact.
+    #[inline(always)]
+    pub fn new(n: R) -> Self {
+        Self {
+            n,
+            minus_1: n - R::one(),
+        }
+    }
+
+    /// The one seen from the other side.
+    #[must_use]
+    #[inline(always)]
+    pub fn inverse(self) -> Self {
+        Self {
+            n: R::one() / self.n,
+            minus_1: -self.minus_1 / self.n,
+        }
+    }
+}
+
 /// What a smooth dielectric interface does with unpolarised light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dielectric<R> {
@@ -28,23 +59,26 @@ pub struct Dielectric<R> {
 #[inline(always)]
 pub fn dielectric<R: Real>(cos_i: R, n: R) -> Dielectric<R> {
     let c = cos_i.min(R::one());
-    dielectric_with_sine(c, (R::one() - c) * (R::one() + c), n)
+    let index = RelativeIndex::new(n);
+    dielectric_with_sine(c, (R::one() - c) * (R::one() + c), index)
 }
 
 /// [`dielectric`] along the unit vector `w`: sin^2 comes from its components in the surface, which keep the digits that
 /// a cosine near 1 has lost. Seen from a medium of index 1000 all that crosses lies within 1e-3 of the normal.
 #[inline(always)]
 pub fn dielectric_along<R: Real>(w: Vec3<R>, n: R) -> Dielectric<R> {
-    dielectric_with_sine(w.z.abs(), w.x * w.x + w.y * w.y, n)
+    let index = RelativeIndex::new(n);
+    dielectric_with_sine(w.z.abs(), w.x * w.x + w.y * w.y, index)
 }
 
 /// [`dielectric`] of the cosine `cos_i` and the square `s2` of the sine, where the sine is known better than by the cosine.
 #[inline(always)]
-pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, n: R) -> Dielectric<R> {
+pub fn dielectric_with_sine<R: Real>(cos_i: R, s2: R, index: RelativeIndex<R>) -> Dielectric<R> {
     let one = R::one();
     let c = cos_i.min(one);
-    let d = (n - one) * (n + one);
-    let g_squared = refracted_squared(c, s2, n);
+    let RelativeIndex { n, minus_1 } = index;
+    let d = minus_1 * (n + one);
+    let g_squared = refracted_squared(c, s2, index);
     let refracts = g_squared > R::zero();
     let g = g_squared.sqrt_clamped();
     let c_plus_g = c + g;
@@ -94,20 +128,20 @@ pub(super) fn total_reflection<R: Real>() -> Dielectric<R> {
 
 /// The square of n times the refracted cosine, not above 0 beyond the critical angle.
 #[inline(always)]
-fn refracted_squared<R: Real>(c: R, s2: R, n: R) -> R {
+fn refracted_squared<R: Real>(c: R, s2: R, RelativeIndex { n, minus_1 }: RelativeIndex<R>) -> R {
     // c^2 + n^2 - 1 = n^2 - s^2: the sum of the smaller terms, so that neither a small index nor one near 1 cancels.
     let c2 = c * c;
     if s2 < c2 {
         n * n - s2
     } else {
-        c2 + (n - R::one()) * (n + R::one())
+        c2 + minus_1 * (n + R::one())
     }
 }
 
 /// The refracted cosine alone, as [`dielectric_with_sine`] gives it; `cos_i` at most 1.
 #[inline(always)]
-pub(super) fn refracted_cosine<R: Real>(cos_i: R, s2: R, n: R) -> R {
-    (refracted_squared(cos_i, s2, n).sqrt_clamped() / n).min(R::one())
+pub(super) fn refracted_cosine<R: Real>(cos_i: R, s2: R, index: RelativeIndex<R>) -> R {
+    (refracted_squared(cos_i, s2, index).sqrt_clamped() / index.n).min(R::one())
 }
 
 /// Dielectric transmittance between two directions that refract into each other, by both their cosines `cos_i` and
@@ -252,6 +286,23 @@ mod tests {
         }
         // A dozen roundings of 6e-8; measured 8e-7.
         assert!(worst < 1.2e-6, "{worst}");
+    }
+
+    #[test]
+    fn a_quotient_next_to_1_keeps_the_digits_of_its_difference() {
+        // One step of f32 below 1, seen from below at a grazing angle: 1 - 4 c / sqrt(2 (n - 1)).
+        let eta = 1.0_f32 - f32::EPSILON / 2.0;
+        let exact_eta = Df64::of(eta.into());
+        for c in [1e-9_f32, 3e-8, 1e-6, 1e-4, 1e-2] {
+            let at = |index| dielectric_with_sine(c, 1.0, index).reflectance;
+            let exact_index = RelativeIndex::new(exact_eta).inverse();
+            let one = Df64::of(1.0);
+            let exact = dielectric_with_sine(Df64::of(c.into()), one, exact_index);
+            let error = |x: f32| (f64::from(x) / exact.reflectance.as_f64() - 1.0).abs();
+            assert!(error(at(RelativeIndex::new(eta).inverse())) < 1e-6, "{c}");
+            let plain = error(at(RelativeIndex::new(1.0 / eta)));
+            assert!(c < 1e-8 || plain > 5e-5, "{c}: {plain}");
+        }
     }
 
     #[test]

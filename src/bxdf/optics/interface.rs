@@ -2,7 +2,7 @@
 
 use super::diffuse_fresnel;
 use super::facet_fresnel::cosine_weighted_nodes;
-use super::fresnel::{self, Dielectric};
+use super::fresnel::{self, Dielectric, RelativeIndex};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::param::{ParamSet, ParamSpec, Value};
 use crate::bxdf::spec::StandIn;
@@ -38,9 +38,9 @@ fn approximated(params: &ParamSet, fresnel: &'static str) -> Option<String> {
 
 /// The reflectance and transmittance of a clear interface.
 pub trait Interface<R: Real>: Copy + Send + Sync + 'static {
-    /// What becomes of light that meets it at the cosine `cos_i`, the square of the sine being `s2`, from the side that has
-    /// 1/`n` of the other's index; see [`fresnel::dielectric_with_sine`].
-    fn with_sine(&self, cos_i: R, s2: R, n: R) -> Dielectric<R>;
+    /// What becomes of light that meets it at the cosine `cos_i`, the square of the sine being `s2`; see
+    /// [`fresnel::dielectric_with_sine`].
+    fn with_sine(&self, cos_i: R, s2: R, index: RelativeIndex<R>) -> Dielectric<R>;
 
     /// The transmittance between two directions that refract into each other; see [`fresnel::transmittance_between`].
     fn transmittance_between(&self, cos_i: R, cos_t: R, n: R) -> R;
@@ -50,8 +50,8 @@ pub trait Interface<R: Real>: Copy + Send + Sync + 'static {
 
     /// [`Self::with_sine`] of the unit vector `w`.
     #[inline(always)]
-    fn along(&self, w: Vec3<R>, n: R) -> Dielectric<R> {
-        self.with_sine(w.z.abs(), w.x * w.x + w.y * w.y, n)
+    fn along(&self, w: Vec3<R>, index: RelativeIndex<R>) -> Dielectric<R> {
+        self.with_sine(w.z.abs(), w.x * w.x + w.y * w.y, index)
     }
 }
 
@@ -61,8 +61,8 @@ pub struct Exact;
 
 impl<R: Real> Interface<R> for Exact {
     #[inline(always)]
-    fn with_sine(&self, cos_i: R, s2: R, n: R) -> Dielectric<R> {
-        fresnel::dielectric_with_sine(cos_i, s2, n)
+    fn with_sine(&self, cos_i: R, s2: R, index: RelativeIndex<R>) -> Dielectric<R> {
+        fresnel::dielectric_with_sine(cos_i, s2, index)
     }
 
     #[inline(always)]
@@ -128,13 +128,14 @@ impl<R: Real> Approximate<R> {
 
 impl<R: Real> Interface<R> for Approximate<R> {
     #[inline(always)]
-    fn with_sine(&self, cos_i: R, s2: R, n: R) -> Dielectric<R> {
-        let c = cos_i.min(R::one());
-        let cos_t = fresnel::refracted_cosine(c, s2, n);
-        let [reflectance, transmittance] = self.shares(if n > R::one() { c } else { cos_t });
-        if n == R::one() {
+    fn with_sine(&self, cos_i: R, s2: R, index: RelativeIndex<R>) -> Dielectric<R> {
+        let (c, zero) = (cos_i.min(R::one()), R::zero());
+        let cos_t = fresnel::refracted_cosine(c, s2, index);
+        let is_from_thinner = index.minus_1 > zero;
+        let [reflectance, transmittance] = self.shares(if is_from_thinner { c } else { cos_t });
+        if index.minus_1 == zero {
             fresnel::no_interface(c)
-        } else if cos_t > R::zero() {
+        } else if cos_t > zero {
             Dielectric {
                 reflectance,
                 transmittance,
@@ -212,10 +213,10 @@ pub(crate) use with_interface;
 
 impl<R: Real> Interface<R> for AnyInterface<R> {
     #[inline(always)]
-    fn with_sine(&self, cos_i: R, s2: R, n: R) -> Dielectric<R> {
+    fn with_sine(&self, cos_i: R, s2: R, index: RelativeIndex<R>) -> Dielectric<R> {
         match self {
-            Self::Exact(exact) => exact.with_sine(cos_i, s2, n),
-            Self::Approximate(approximate) => approximate.with_sine(cos_i, s2, n),
+            Self::Exact(exact) => exact.with_sine(cos_i, s2, index),
+            Self::Approximate(approximate) => approximate.with_sine(cos_i, s2, index),
         }
     }
 
@@ -246,7 +247,7 @@ mod tests {
 
     fn reflectance(interface: impl Interface<f64>, cos: f64, n: f64) -> f64 {
         interface
-            .with_sine(cos, (1.0 - cos) * (1.0 + cos), n)
+            .with_sine(cos, (1.0 - cos) * (1.0 + cos), RelativeIndex::new(n))
             .reflectance
     }
 
@@ -297,7 +298,11 @@ mod tests {
         for eta in [0.25_f64, 0.7, 1.0 - 1e-6, 1.0 + 1e-6, 1.05, 1.5, 1000.0] {
             for interface in [Approximate::schlick(eta), Approximate::lazanyi(eta)] {
                 for cos in [1e-9, 1e-3, 0.2, 0.6, 0.999, 1.0] {
-                    let there = interface.with_sine(cos, (1.0 - cos) * (1.0 + cos), eta);
+                    let there = interface.with_sine(
+                        cos,
+                        (1.0 - cos) * (1.0 + cos),
+                        RelativeIndex::new(eta),
+                    );
                     let Dielectric {
                         reflectance,
                         transmittance,
@@ -319,7 +324,7 @@ mod tests {
         }
         assert_eq!(
             Approximate::schlick(1.0)
-                .along(Vec3::new(1.0_f32, 0.0, 1e-38), 1.0)
+                .along(Vec3::new(1.0_f32, 0.0, 1e-38), RelativeIndex::new(1.0))
                 .transmittance,
             1.0
         );
