@@ -10,6 +10,7 @@ use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::param::{Kind, ParamSet, ParamSpec, Scale, Value};
 use brdf_explorer::bxdf::{Bxdf, Component, ModelSpec, Side};
+use brdf_explorer::lab::rounding::UNIT_LENGTH_ROUNDOFFS;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -138,9 +139,12 @@ fn a_sample_is_good<R: Real>(
     let Some(sample) = bxdf.sample_f(wo, uc, [u, v]) else {
         return Ok(());
     };
-    // Two dozen roundings.
     let off = (sample.wi.length_squared() - R::one()).as_f64().abs();
-    prop_assert!(off <= 24.0 * R::UNIT_ROUNDOFF, "{}: {sample:?}", R::NAME);
+    prop_assert!(
+        off <= UNIT_LENGTH_ROUNDOFFS * R::UNIT_ROUNDOFF,
+        "{}: {sample:?}",
+        R::NAME
+    );
     let side = Side::between(wo, sample.wi);
     let has_side = model.lobes.iter().any(|lobe| lobe.side == side);
     prop_assert!(

@@ -23,6 +23,13 @@ pub fn stability_bound(kappa: f64, unit_roundoff: f64) -> f64 {
     ROUNDINGS * (1.0 + kappa) * unit_roundoff
 }
 
+/// How far the square of a sampled direction's length may be from 1, in units of round-off.
+///
+/// To first order the roundings of wi = 2 (wo.wh) wh - wo add up to 54 at most: 9 in |wh|^2 of a normal scaled to length 1 by
+/// one root and one division, four times that in |wi|^2; 12 of the dot product, 4 and 2 of the product and the difference.
+/// The given direction brings its own.
+pub const UNIT_LENGTH_ROUNDOFFS: f64 = 60.0;
+
 /// A number that a model gives for a pair of directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {

@@ -73,6 +73,13 @@ pub struct Neighbour {
     pub unit_roundoff: Option<f64>,
 }
 
+/// A number for each text: its FNV-1a hash.
+pub(in crate::lab) fn seed_of(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
 /// Relative step of a parameter: small beside every power it enters with, large beside the rounding of what models tabulate
 /// in f64 (1e-16).
 const RELATIVE_STEP: f64 = 1e-9;
@@ -207,13 +214,9 @@ impl Subject {
         })
     }
 
-    /// A seed that depends on model and parameters only: the FNV-1a hash of the name.
+    /// A seed that depends on model and parameters only.
     pub(in crate::lab) fn seed(&self) -> u64 {
-        self.name
-            .bytes()
-            .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
-                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-            })
+        seed_of(&self.name)
     }
 
     /// The witness of a comparison at these directions, of which `wo` and `wi` are the viewer's and the light's.

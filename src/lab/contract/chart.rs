@@ -73,7 +73,7 @@ impl Chart {
         }
     }
 
-    /// The range of x wide enough for every y; the rows are clipped to [`Self::x_range`].
+    /// The range of x wide enough for every y; the rows are clipped to [`Row::x_range`].
     pub(super) fn widest_x_range(&self) -> [f64; 2] {
         match self.shape {
             Shape::Polar { scale } => [0.0, (FRAC_PI_2 / scale).asinh()],
@@ -88,7 +88,7 @@ impl Chart {
         }
     }
 
-    /// The largest [`Self::x_range`] of all y in this range: that at the y nearest to the middle of the disc.
+    /// The largest [`Row::x_range`] of all y in this range: that at the y nearest to the middle of the disc.
     pub(super) fn widest_x_range_within(&self, [y0, y1]: [f64; 2]) -> [f64; 2] {
         match self.shape {
             Shape::Polar { .. } | Shape::Refracted { .. } => self.widest_x_range(),
@@ -96,14 +96,14 @@ impl Chart {
                 scale: [_, scale], ..
             } => {
                 let middle = (self.wo.y / self.wo.z / scale).asinh();
-                self.x_range(middle.max(y0).min(y1))
+                self.row(middle.max(y0).min(y1)).x_range()
             }
             Shape::Bump {
                 centre: [_, cy],
                 scale: [_, sy],
             } => {
                 let middle = (-cy / sy).asinh();
-                self.x_range(middle.max(y0).min(y1))
+                self.row(middle.max(y0).min(y1)).x_range()
             }
         }
     }
@@ -133,50 +133,6 @@ impl Chart {
         }
     }
 
-    /// The direction at these coordinates, and the solid angle per unit of their area.
-    pub(super) fn direction(&self, [x, y]: [f64; 2]) -> (DVec3, f64) {
-        let (wi, density) = match self.shape {
-            Shape::Polar { scale } => {
-                let (z, radius) = (scale * x.sinh()).sin_cos();
-                let (sin_phi, cos_phi) = y.sin_cos();
-                let wi = DVec3::new(radius * cos_phi, radius * sin_phi, z);
-                (wi, radius * scale * x.cosh())
-            }
-            Shape::Half {
-                scale: [sx, sy],
-                is_back,
-            } => {
-                let (slope_x, slope_y) = (sx * x.sinh(), sy * y.sinh());
-                let hz = 1.0 / (1.0 + slope_x * slope_x + slope_y * slope_y).sqrt();
-                let wh = DVec3::new(slope_x * hz, slope_y * hz, hz);
-                let cos_d = self.wo.dot(wh);
-                let mut wi = wh * (2.0 * cos_d) - self.wo;
-                if is_back {
-                    wi = DVec3::new(-wi.x, -wi.y, wi.z);
-                }
-                // dwi = 4 cos_d dwh, dwh = hz^3 per unit of slope area.
-                let stretch = sx * x.cosh() * sy * y.cosh();
-                (wi, 4.0 * cos_d * hz * hz * hz * stretch)
-            }
-            Shape::Bump {
-                centre: [cx, cy],
-                scale: [sx, sy],
-            } => {
-                let (qx, qy) = (cx + sx * x.sinh(), cy + sy * y.sinh());
-                let r2 = qx * qx + qy * qy;
-                let wi = DVec3::new(2.0 * qx, 2.0 * qy, 1.0 - r2) / (1.0 + r2);
-                // dwi = 4 dq / (1 + q^2)^2.
-                let stretch = sx * x.cosh() * sy * y.cosh();
-                (wi, 4.0 / ((1.0 + r2) * (1.0 + r2)) * stretch)
-            }
-            Shape::Refracted { scale: [sx, sy], e } => {
-                let (wi, density) = refracted(self.wo, [sx * x.sinh(), sy * y.sinh()], e);
-                (wi, density * sx * x.cosh() * sy * y.cosh())
-            }
-        };
-        (DVec3::new(wi.x, wi.y, wi.z * self.sign), density)
-    }
-
     /// The range of y.
     pub(super) fn y_range(&self) -> [f64; 2] {
         match self.shape {
@@ -195,29 +151,112 @@ impl Chart {
         }
     }
 
-    /// The range of x at `y`. In slopes the hemisphere is the disc of radius 1/cos about tan(theta) of `wo`: the half
-    /// vectors' slopes are a stereographic projection of wi.
-    pub(super) fn x_range(&self, y: f64) -> [f64; 2] {
-        match self.shape {
-            Shape::Polar { .. } | Shape::Refracted { .. } => self.widest_x_range(),
+    /// The directions at `y`.
+    pub(super) fn row(&self, y: f64) -> Row<'_> {
+        let across = match self.shape {
+            Shape::Polar { .. } => y.sin_cos(),
             Shape::Half {
-                scale: [sx, sy], ..
-            } => {
-                let radius = 1.0 / self.wo.z;
-                let dy = sy * y.sinh() - self.wo.y * radius;
+                scale: [_, scale], ..
+            }
+            | Shape::Bump {
+                scale: [_, scale], ..
+            }
+            | Shape::Refracted {
+                scale: [_, scale], ..
+            } => scaled(scale, y),
+        };
+        Row {
+            chart: self,
+            across,
+        }
+    }
+}
+
+/// `scale` sinh(x), and its derivative.
+fn scaled(scale: f64, x: f64) -> (f64, f64) {
+    let sinh = x.sinh();
+    (scale * sinh, scale * (1.0 + sinh * sinh).sqrt())
+}
+
+/// The directions of a chart at one y.
+pub(super) struct Row<'a> {
+    chart: &'a Chart,
+    /// Sine and cosine of the azimuth; or what [`scaled`] makes of y.
+    across: (f64, f64),
+}
+
+impl Row<'_> {
+    /// The range of x. In slopes the hemisphere is the disc of radius 1/cos about tan(theta) of `wo`: the half vectors'
+    /// slopes are a stereographic projection of wi.
+    pub(super) fn x_range(&self) -> [f64; 2] {
+        let Chart { shape, wo, .. } = self.chart;
+        let (across, _) = self.across;
+        match *shape {
+            Shape::Polar { .. } | Shape::Refracted { .. } => self.chart.widest_x_range(),
+            Shape::Half { scale: [sx, _], .. } => {
+                let radius = 1.0 / wo.z;
+                let dy = across - wo.y * radius;
                 let reach = ((radius - dy) * (radius + dy)).max(0.0).sqrt();
-                let centre = self.wo.x * radius;
+                let centre = wo.x * radius;
                 [centre - reach, centre + reach].map(|x| (x / sx).asinh())
             }
             Shape::Bump {
                 centre: [cx, cy],
-                scale: [sx, sy],
+                scale: [sx, _],
             } => {
-                let qy = cy + sy * y.sinh();
+                let qy = cy + across;
                 let reach = ((1.0 - qy) * (1.0 + qy)).max(0.0).sqrt();
                 [-reach, reach].map(|edge| ((edge - cx) / sx).asinh())
             }
         }
+    }
+
+    /// The direction at `x`, and the solid angle per unit of the coordinates' area.
+    pub(super) fn direction(&self, x: f64) -> (DVec3, f64) {
+        let (wo, sign) = (self.chart.wo, self.chart.sign);
+        let (across, stretch_y) = self.across;
+        let (wi, density) = match self.chart.shape {
+            Shape::Polar { scale } => {
+                let (elevation, stretch) = scaled(scale, x);
+                let (z, radius) = elevation.sin_cos();
+                let (sin_phi, cos_phi) = self.across;
+                let wi = DVec3::new(radius * cos_phi, radius * sin_phi, z);
+                (wi, radius * stretch)
+            }
+            Shape::Half {
+                scale: [sx, _],
+                is_back,
+            } => {
+                let (along, stretch_x) = scaled(sx, x);
+                let hz = 1.0 / (1.0 + along * along + across * across).sqrt();
+                let wh = DVec3::new(along * hz, across * hz, hz);
+                let cos_d = wo.dot(wh);
+                let mut wi = wh * (2.0 * cos_d) - wo;
+                if is_back {
+                    wi = DVec3::new(-wi.x, -wi.y, wi.z);
+                }
+                // dwi = 4 cos_d dwh, dwh = hz^3 per unit of slope area.
+                (wi, 4.0 * cos_d * hz * hz * hz * (stretch_x * stretch_y))
+            }
+            Shape::Bump {
+                centre: [cx, cy],
+                scale: [sx, _],
+            } => {
+                let (along, stretch_x) = scaled(sx, x);
+                let (qx, qy) = (cx + along, cy + across);
+                let r2 = qx * qx + qy * qy;
+                let wi = DVec3::new(2.0 * qx, 2.0 * qy, 1.0 - r2) / (1.0 + r2);
+                // dwi = 4 dq / (1 + q^2)^2.
+                let per_area = 4.0 / ((1.0 + r2) * (1.0 + r2));
+                (wi, per_area * (stretch_x * stretch_y))
+            }
+            Shape::Refracted { scale: [sx, _], e } => {
+                let (along, stretch_x) = scaled(sx, x);
+                let (wi, density) = refracted(wo, [along, across], e);
+                (wi, density * (stretch_x * stretch_y))
+            }
+        };
+        (DVec3::new(wi.x, wi.y, wi.z * sign), density)
     }
 }
 

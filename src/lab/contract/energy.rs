@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::cells::ESTIMATE;
+use super::integrals::ESTIMATE;
 use super::{LawId, Tallies};
 use crate::analysis::reflectance::{directional_hemispherical, directional_hemispherical_within};
 use crate::bxdf::math::frame::direction_from_degrees;

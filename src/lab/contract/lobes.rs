@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::cells::ESTIMATE;
+use super::integrals::ESTIMATE;
 use super::pointwise::pairs;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::reflectance::directional_hemispherical_within;

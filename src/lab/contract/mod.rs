@@ -15,6 +15,7 @@ mod deltas;
 mod energy;
 mod families;
 mod finite;
+mod integrals;
 mod law;
 mod limits;
 mod lobes;

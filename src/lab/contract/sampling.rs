@@ -2,14 +2,16 @@
 
 use glam::DVec3;
 
-use super::cells::{CellIntegral, ESTIMATE, Partition};
+use super::cells::Partition;
+use super::integrals::{CellIntegral, Channels, ESTIMATE};
 use super::statistics::sidak;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies, energy, lobes};
 use crate::analysis::statistics::{Random, chi_square};
-use crate::bxdf::math::Vec3;
+use crate::bxdf::math::{Real, Vec3};
+use crate::bxdf::optics::Spectrum;
 use crate::bxdf::{Deltas, Sample};
-use crate::lab::rounding::relative_difference;
+use crate::lab::rounding::{UNIT_LENGTH_ROUNDOFFS, relative_difference};
 use crate::lab::subject::Subject;
 
 /// Samples that cut the sphere into cells: 64 cells of 32.
@@ -30,9 +32,6 @@ const UNSEEN: f64 = 6.0;
 /// leaves room for the condition number of the narrowest lobe, 1e4 per component, and a sample rounded once.
 const SAME: f64 = 1e-9;
 
-/// Square of the length of a unit vector, less 1, that rounding explains: a dozen operations of 1.1e-16.
-const UNIT_LENGTH: f64 = 4e-15;
-
 /// The laws of the samples at every given direction, and energy, whose integrals come with theirs.
 pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     for (index, wo) in directions().into_iter().enumerate() {
@@ -40,27 +39,7 @@ pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
         let mut random = Random::new(subject.seed() ^ index as u64);
         let pilots = pilot_samples(subject, wo, &mut random, tallies);
         let partition = Partition::new(subject, wo, &pilots, &mut random);
-        let w: Vec3<f64> = wo.into();
-        let integrals = partition.integrate(
-            |other| {
-                let other = other.into();
-                let [r, g, b] = subject.double.f(w, other).0;
-                let [r_back, g_back, b_back] = subject.double.f(other, w).0;
-                let back_cos = other.z.abs();
-                let cos = back_cos * subject.flux_factor(wo, other.into());
-                let pdf = subject.double.pdf(w, other);
-                [
-                    pdf,
-                    r * cos,
-                    g * cos,
-                    b * cos,
-                    r_back * back_cos,
-                    g_back * back_cos,
-                    b_back * back_cos,
-                ]
-            },
-            CELL_TOLERANCE,
-        );
+        let integrals = partition.integrate(|wi| integrands(subject, wo, wi), CELL_TOLERANCE);
         goodness_of_fit(
             subject,
             wo,
@@ -76,6 +55,24 @@ pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
         lobes::integrals(subject, wo, (back, total.error), tallies);
         energy::energy(subject, wo, (back, total.error), tallies);
     }
+}
+
+/// What is integrated over the directions `wi`: the density at `wo`, and f |cos| of each channel towards `wo` and back.
+fn integrands(subject: &Subject, wo: DVec3, wi: DVec3) -> Channels {
+    let (o, i): (Vec3<f64>, Vec3<f64>) = (wo.into(), wi.into());
+    let (Spectrum([r, g, b]), pdf) = subject.double.f_pdf(o, i);
+    let [r_back, g_back, b_back] = subject.double.f(i, o).0;
+    let back_cos = wi.z.abs();
+    let cos = back_cos * subject.flux_factor(wo, wi);
+    [
+        pdf,
+        r * cos,
+        g * cos,
+        b * cos,
+        r_back * back_cos,
+        g_back * back_cos,
+        b_back * back_cos,
+    ]
 }
 
 fn draw(subject: &Subject, wo: DVec3, random: &mut Random) -> Option<Sample<f64>> {
@@ -114,7 +111,8 @@ fn check_sample(
     let wi: DVec3 = sample.wi.into();
     let witness = || subject.witness(&[("wo", wo), ("sampled wi", wi)]);
     let length_error = (sample.wi.length_squared() - 1.0).abs();
-    tallies.record(LawId::Weight, length_error, UNIT_LENGTH, witness);
+    let unit_length = UNIT_LENGTH_ROUNDOFFS * f64::UNIT_ROUNDOFF;
+    tallies.record(LawId::Weight, length_error, unit_length, witness);
     tallies.require(LawId::Support, sample.pdf > 0.0 && wi.z != 0.0, witness);
     let (f, pdf) = if sample.is_delta {
         let Some(delta) = deltas

@@ -25,22 +25,24 @@ pub mod table;
 mod tally;
 
 use rayon::prelude::*;
-use xprec::Df64;
 
 pub use case::Case;
 pub(in crate::lab) use samples::{is_good, is_good_number, is_unit};
 pub use tally::{Extreme, Worst};
 
 use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
-use crate::bxdf::math::Real as _;
 use crate::bxdf::{Component, Law, Material, ModelSpec};
 use crate::lab::subject::Subject;
 
 use directions::Pair;
+use samples::CHOICES;
 use tally::Tally;
 
 /// Points of a crowd that are drawn by one seed.
 const CROWD_OF_PART: u64 = 1 << 18;
+
+/// So many sets of parameters share the pairs of directions among them, in turns; the usual ones have all for themselves.
+const SHARED_BY: usize = 2;
 
 /// How far an examination goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,12 +73,14 @@ pub fn examine(model: &ModelSpec, stride: usize, random: u64) -> Vec<Extreme> {
     let is_reciprocal = is_reciprocal(model);
     let mut tally = examined
         .par_iter()
-        .fold(Tally::default, |mut tally, (case, params)| {
+        .enumerate()
+        .fold(Tally::default, |mut tally, (index, (case, params))| {
             let subject = Subject::new(model, params);
             let about = directions::about(&subject);
-            for some in [&pairs, &about] {
-                at_pairs(&subject, Some(*case), some, is_reciprocal, &mut tally);
-            }
+            let step = if *case == Case::Usual { 1 } else { SHARED_BY };
+            let pairs = pairs.iter().skip(index % step).step_by(step);
+            let pairs = pairs.chain(&about);
+            at_pairs(&subject, Some(*case), pairs, is_reciprocal, &mut tally);
             at_samples(&subject, &mut tally);
             if *case == Case::Usual {
                 jumps::jumps(&subject, &mut tally);
@@ -184,10 +188,10 @@ fn is_reciprocal(model: &ModelSpec) -> bool {
 
 /// Compares at every pair, in every precision, under the cases of the directions and that of the parameters; what lies inside
 /// the core, which no material has, is counted for itself alone.
-fn at_pairs(
+fn at_pairs<'a>(
     subject: &Subject,
     of_parameters: Option<Case>,
-    pairs: &[(Case, Pair)],
+    pairs: impl IntoIterator<Item = &'a (Case, Pair)>,
     is_reciprocal: bool,
     tally: &mut Tally,
 ) {
@@ -195,13 +199,7 @@ fn at_pairs(
     for (case, pair) in pairs {
         let of_directions = (of_parameters != Some(Case::Core)).then_some(*case);
         let cases: Vec<Case> = of_parameters.into_iter().chain(of_directions).collect();
-        single.measure(&cases, *pair, tally);
-        double.measure(&cases, *pair, tally);
-        let finding = point::reference_is_good(subject, *pair);
-        let (wo, wi) = *pair;
-        tally.add(&cases, Df64::NAME, finding, || {
-            (subject.name.clone(), wo, wi)
-        });
+        point::measure(subject, &cases, *pair, tally);
         if is_reciprocal && *case != Case::Ladder {
             single.two_ways(*pair, tally);
             double.two_ways(*pair, tally);
@@ -212,7 +210,9 @@ fn at_pairs(
 /// Draws samples at the ends of the unit cube, in every precision.
 fn at_samples(subject: &Subject, tally: &mut Tally) {
     let cases = [Case::SamplerEnds];
-    samples::samples(&point::single(subject), &cases, tally);
-    samples::samples(&point::double(subject), &cases, tally);
-    samples::samples(&point::reference(subject), &cases, tally);
+    samples::samples(&point::single(subject), &cases, &CHOICES, tally);
+    samples::samples(&point::double(subject), &cases, &CHOICES, tally);
+    // Of the reference, which nothing is held against, it is enough to see each sampler once.
+    let [_, middle, _] = CHOICES;
+    samples::samples(&point::reference(subject), &cases, &[middle], tally);
 }

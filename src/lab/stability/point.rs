@@ -4,6 +4,7 @@ use glam::DVec3;
 use xprec::Df64;
 
 use super::Case;
+use super::directions::Pair;
 use super::tally::{Finding, Tally};
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::{Real, Vec3};
@@ -69,11 +70,23 @@ fn truth_in<R: Real>(exact: Df64) -> f64 {
 }
 
 impl<R: Real> Tested<'_, R> {
+    /// The numbers of the reference at a pair as `R` has it.
+    fn exact_at(&self, (wo, wi): Pair) -> [Df64; 4] {
+        let (wo, wi): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
+        let (wo, wi): Pair = (wo.into(), wi.into());
+        quantities(self.exact, wo.into(), wi.into())
+    }
+
     /// The largest relative error at a pair, and by how much it uses up its bound, if that is more than `floor`.
-    pub(super) fn compare(&self, (wo, wi): (DVec3, DVec3), floor: f64) -> Finding {
+    pub(super) fn compare(&self, pair: Pair, floor: f64) -> Finding {
+        self.compare_with(pair, self.exact_at(pair), floor)
+    }
+
+    /// [`Self::compare`] with the reference's numbers there.
+    fn compare_with(&self, (wo, wi): Pair, exact: [Df64; 4], floor: f64) -> Finding {
         let (wo, wi): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
         // The directions as `R` has them, which both sides see.
-        let (wo_rounded, wi_rounded): (DVec3, DVec3) = (wo.into(), wi.into());
+        let (wo_rounded, wi_rounded): Pair = (wo.into(), wi.into());
         let found = quantities(self.model, wo, wi);
         let zero = R::zero();
         let mut finding = Finding {
@@ -84,13 +97,15 @@ impl<R: Real> Tested<'_, R> {
         if has_subnormal(wo) || has_subnormal(wi) {
             return finding;
         }
-        let exact = quantities(self.exact, wo_rounded.into(), wi_rounded.into());
         let well_conditioned = stability_bound(0.0, R::UNIT_ROUNDOFF);
         let mut errors = [0.0; 4];
         for (slot, quantity) in errors.iter_mut().zip(Quantity::ALL) {
             let truth = truth_in::<R>(quantity.of(exact));
             let value = quantity.of(found).as_f64();
             if is_subnormal::<R>(truth) && is_subnormal::<R>(value) {
+                continue;
+            }
+            if value == truth {
                 continue;
             }
             let is_saturated = truth >= R::max_value().as_f64() && value >= SATURATED * truth;
@@ -120,14 +135,14 @@ impl<R: Real> Tested<'_, R> {
         finding
     }
 
-    fn condition_numbers(&self, pair: (DVec3, DVec3), enough: [f64; 4]) -> [f64; 4] {
+    fn condition_numbers(&self, pair: Pair, enough: [f64; 4]) -> [f64; 4] {
         let models = (self.exact, &*self.subject.neighbours);
         condition_numbers(models, pair, R::UNIT_ROUNDOFF, enough)
     }
 
     /// Whether the quantity, 0 at a pair, is not 0 within the rounding of the directions: the relative error of a number that
     /// vanishes there says nothing.
-    fn is_at_edge(&self, quantity: Quantity, (wo, wi): (DVec3, DVec3)) -> bool {
+    fn is_at_edge(&self, quantity: Quantity, (wo, wi): Pair) -> bool {
         let reach = EDGE_ROUNDOFFS * R::UNIT_ROUNDOFF;
         let moved = |w: DVec3, axis: usize, by: f64| {
             let factor = DVec3::ONE + DVec3::AXES.into_iter().nth(axis).unwrap_or(DVec3::ZERO) * by;
@@ -144,14 +159,14 @@ impl<R: Real> Tested<'_, R> {
         })
     }
 
-    /// Compares at `pair`, and counts it under `cases`.
-    pub(super) fn measure(&self, cases: &[Case], pair: (DVec3, DVec3), tally: &mut Tally) {
-        let finding = self.compare(pair, tally.largest_ratio(cases, R::NAME));
+    /// Compares with the reference's numbers at `pair`, and counts it under `cases`.
+    fn measure(&self, cases: &[Case], pair: Pair, exact: [Df64; 4], tally: &mut Tally) {
+        let finding = self.compare_with(pair, exact, tally.largest_ratio(cases, R::NAME));
         tally.add(cases, R::NAME, finding, || self.at(pair));
     }
 
     /// The point as it is reported.
-    pub(super) fn at(&self, (wo, wi): (DVec3, DVec3)) -> (String, DVec3, DVec3) {
+    pub(super) fn at(&self, (wo, wi): Pair) -> (String, DVec3, DVec3) {
         let (wo, wi): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
         (self.subject.name.clone(), wo.into(), wi.into())
     }
@@ -159,9 +174,9 @@ impl<R: Real> Tested<'_, R> {
 
 impl<R: Real> Tested<'_, R> {
     /// Holds the two ways of a pair against each other: n_i^2 f(wo, wi) = n_o^2 f(wi, wo).
-    pub(super) fn two_ways(&self, (wo, wi): (DVec3, DVec3), tally: &mut Tally) {
+    pub(super) fn two_ways(&self, (wo, wi): Pair, tally: &mut Tally) {
         let (o, i): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
-        let (wo, wi): (DVec3, DVec3) = (o.into(), i.into());
+        let (wo, wi): Pair = (o.into(), i.into());
         let [n_o, n_i] = [wo, wi].map(|w| self.subject.index_at(w));
         if has_subnormal(o) || has_subnormal(i) {
             return;
@@ -194,17 +209,21 @@ impl<R: Real> Tested<'_, R> {
 }
 
 /// Whether nothing is seen at a pair: f and pdf are 0, in the reference precision.
-pub(super) fn is_black(subject: &Subject, (wo, wi): (DVec3, DVec3)) -> bool {
+pub(super) fn is_black(subject: &Subject, (wo, wi): Pair) -> bool {
     let values = quantities(&*subject.reference, wo.into(), wi.into());
     values.iter().all(|x| x.as_f64() == 0.0)
 }
 
-/// Finds at a pair whether the reference itself is finite and not negative.
-pub(super) fn reference_is_good(subject: &Subject, (wo, wi): (DVec3, DVec3)) -> Finding {
-    let values = quantities(&*subject.reference, wo.into(), wi.into());
-    Finding {
-        is_not_finite: values.iter().any(|x| !x.as_f64().is_finite()),
-        is_negative: values.iter().any(|x| x.as_f64() < 0.0),
+/// Compares at `pair` in every precision, and counts it under `cases`; of the reference, whether it is finite and not negative.
+pub(super) fn measure(subject: &Subject, cases: &[Case], pair: Pair, tally: &mut Tally) {
+    let (single, double) = (single(subject), double(subject));
+    single.measure(cases, pair, single.exact_at(pair), tally);
+    let exact = double.exact_at(pair);
+    double.measure(cases, pair, exact, tally);
+    let finding = Finding {
+        is_not_finite: exact.iter().any(|x| !x.as_f64().is_finite()),
+        is_negative: exact.iter().any(|x| x.as_f64() < 0.0),
         ..Finding::default()
-    }
+    };
+    tally.add(cases, Df64::NAME, finding, || double.at(pair));
 }

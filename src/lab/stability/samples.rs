@@ -9,11 +9,10 @@ use super::tally::{Finding, Tally};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::{Sample, Side};
-use crate::lab::rounding::{Quantity, quantities, relative_difference, stability_bound};
+use crate::lab::rounding::{
+    Quantity, UNIT_LENGTH_ROUNDOFFS, quantities, relative_difference, stability_bound,
+};
 use crate::lab::subject::Subject;
-
-/// Square of the length of a sampled direction, less 1, in units of round-off: two dozen operations.
-const UNIT_LENGTH_ROUNDOFFS: f64 = 24.0;
 
 /// Whether every channel is finite and not negative.
 pub(in crate::lab) fn is_good<R: Real>(spectrum: Spectrum<R>) -> bool {
@@ -47,15 +46,22 @@ fn ends<R: Real>() -> [R; 6] {
     ]
 }
 
-/// Draws samples at the ends of the unit cube along directions of view.
-pub(super) fn samples<R: Real>(at: &Tested<'_, R>, cases: &[Case], tally: &mut Tally) {
-    let ends = ends::<R>();
-    let [first, .., half, _, last] = ends;
+/// Numbers that choose among lobes; 1 is rounded to the last below it.
+pub(super) const CHOICES: [f64; 3] = [0.0, 0.5, 1.0];
+
+/// Draws samples at the ends of the unit square along directions of view, with each of `choices` among lobes.
+pub(super) fn samples<R: Real>(
+    at: &Tested<'_, R>,
+    cases: &[Case],
+    choices: &[f64],
+    tally: &mut Tally,
+) {
+    let ends = ends::<R>().map(R::as_f64);
     for view in views() {
-        for uc in [first, half, last] {
+        for uc in choices {
             for u in ends {
                 for v in ends {
-                    sample(at, cases, view, [u, v, uc].map(R::as_f64), tally);
+                    sample(at, cases, view, [u, v, *uc], tally);
                 }
             }
         }

@@ -12,7 +12,7 @@ use crate::analysis::statistics::Random;
 use crate::bxdf::math::Real;
 use crate::bxdf::param::{Kind, ParamSet, Value};
 use crate::bxdf::{Component, ModelSpec};
-use crate::lab::subject::Subject;
+use crate::lab::subject::{Subject, seed_of};
 
 /// Random pairs at one set of parameters.
 const PAIRS_OF_SET: u64 = 256;
@@ -45,26 +45,11 @@ pub(super) fn random(model: &ModelSpec, count: u64, tally: &mut Tally) {
 fn at_random(subject: &Subject, cases: &[Case], random: &mut Random, tally: &mut Tally) {
     let pair = random_pair(random);
     let u = [random.unit(), random.unit(), random.unit()];
-    let (single, double) = (point::single(subject), point::double(subject));
-    single.measure(cases, pair, tally);
-    double.measure(cases, pair, tally);
-    let (wo, wi) = pair;
-    tally.add(
-        cases,
-        "reference",
-        point::reference_is_good(subject, pair),
-        || (subject.name.clone(), wo, wi),
-    );
-    samples::sample(&single, cases, wo, u, tally);
-    samples::sample(&double, cases, wo, u, tally);
+    point::measure(subject, cases, pair, tally);
+    let (wo, _) = pair;
+    samples::sample(&point::single(subject), cases, wo, u, tally);
+    samples::sample(&point::double(subject), cases, wo, u, tally);
     samples::sample(&point::reference(subject), cases, wo, u, tally);
-}
-
-/// A number for each id: the FNV-1a hash.
-fn seed_of(id: &str) -> u64 {
-    id.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
 }
 
 /// Goes uphill from the worst points so far, in parameters and directions, each time to where the error uses up more of its
@@ -101,7 +86,7 @@ pub(super) fn climb(model: &ModelSpec, tally: &mut Tally) {
 
 /// [`climb`] in directions alone.
 pub(super) fn climb_at(subject: &Subject, tally: &mut Tally) {
-    let mut random = Random::new(seed_of(&subject.name) ^ 1);
+    let mut random = Random::new(subject.seed() ^ 1);
     for (precision, worst) in starts(tally) {
         let (mut at, mut highest) = ((worst.wo, worst.wi), 0.0);
         for _ in 0..STEPS {
