@@ -13,7 +13,7 @@ use crate::faulty::*;
 const TABLE: &str = include_str!("../../src/lab/stability/table.md");
 
 /// Of the sets of parameters every so manieth is examined here; `check --all --extremes` examines all.
-const STRIDE: usize = 32;
+const STRIDE: usize = 24;
 
 /// Random points of each model here.
 const RANDOM: u64 = 256;

@@ -4,7 +4,7 @@ mod formulas;
 mod map;
 mod worst;
 
-use egui::Ui;
+use egui::{RichText, Ui};
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::lab::contract::Witness;
@@ -60,6 +60,7 @@ fn maps_and_list(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 fn controls(ui: &mut Ui, session: &mut Session) {
     let axes = Axis::all(session.material());
     let (x, y) = session.stability_axes();
+    let selected = session.materials.title(session.materials.selected());
     let options = &mut session.views.stability;
     ui.horizontal_wrapped(|ui| {
         let hint = "The selected material over two axes, or the forms of formulas that keep or lose \
@@ -80,6 +81,7 @@ fn controls(ui: &mut Ui, session: &mut Session) {
         let hint = "Lines of equal condition number κ, one for each decade: how much the rounding \
             of the inputs is multiplied";
         choice::switch(ui, ("κ", hint), &mut options.has_contours);
+        ui.label(RichText::new(selected).weak());
     });
 }
 
