@@ -5,8 +5,9 @@
 
 use glam::DVec3;
 
-use super::chart::{Chart, median};
+use super::chart::Chart;
 use super::families::Family;
+use super::order::median;
 use crate::analysis::statistics::Random;
 use crate::lab::subject::Subject;
 

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
+use super::order::{median, narrow_scale};
 use crate::bxdf::math::frame;
 use crate::bxdf::{Category, Side};
 use crate::lab::subject::Subject;
@@ -73,7 +74,7 @@ impl Chart {
         }
     }
 
-    /// The range of x wide enough for every y; the rows are clipped to [`Row::x_range`].
+    /// The range of x wide enough for every y; the rows are clipped by [`Row::within`].
     pub(super) fn widest_x_range(&self) -> [f64; 2] {
         match self.shape {
             Shape::Polar { scale } => [0.0, (FRAC_PI_2 / scale).asinh()],
@@ -151,6 +152,34 @@ impl Chart {
         }
     }
 
+    /// Where along x this coordinate is: a slope, or a place in the disc.
+    pub(super) fn place(&self, x: f64) -> f64 {
+        match self.shape {
+            Shape::Polar { scale } => scaled(scale, x).0,
+            Shape::Half { scale: [sx, _], .. } | Shape::Refracted { scale: [sx, _], .. } => {
+                scaled(sx, x).0
+            }
+            Shape::Bump {
+                centre: [cx, _],
+                scale: [sx, _],
+            } => cx + scaled(sx, x).0,
+        }
+    }
+
+    /// The inverse of [`Self::place`].
+    fn coordinate(&self, place: f64) -> f64 {
+        match self.shape {
+            Shape::Polar { scale } => (place / scale).asinh(),
+            Shape::Half { scale: [sx, _], .. } | Shape::Refracted { scale: [sx, _], .. } => {
+                (place / sx).asinh()
+            }
+            Shape::Bump {
+                centre: [cx, _],
+                scale: [sx, _],
+            } => ((place - cx) / sx).asinh(),
+        }
+    }
+
     /// The directions at `y`.
     pub(super) fn row(&self, y: f64) -> Row<'_> {
         let across = match self.shape {
@@ -186,29 +215,56 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// The range of x. In slopes the hemisphere is the disc of radius 1/cos about tan(theta) of `wo`: the half vectors'
-    /// slopes are a stereographic projection of wi.
-    pub(super) fn x_range(&self) -> [f64; 2] {
+    /// The places along x, as of [`Chart::place`], between which the hemisphere lies. In slopes it is the disc of radius 1/cos
+    /// about tan(theta) of `wo`: the half vectors' slopes are a stereographic projection of wi.
+    fn edges(&self) -> Option<[f64; 2]> {
         let Chart { shape, wo, .. } = self.chart;
         let (across, _) = self.across;
         match *shape {
-            Shape::Polar { .. } | Shape::Refracted { .. } => self.chart.widest_x_range(),
-            Shape::Half { scale: [sx, _], .. } => {
+            Shape::Polar { .. } | Shape::Refracted { .. } => None,
+            Shape::Half { .. } => {
                 let radius = 1.0 / wo.z;
                 let dy = across - wo.y * radius;
                 let reach = ((radius - dy) * (radius + dy)).max(0.0).sqrt();
                 let centre = wo.x * radius;
-                [centre - reach, centre + reach].map(|x| (x / sx).asinh())
+                Some([centre - reach, centre + reach])
             }
             Shape::Bump {
-                centre: [cx, cy],
-                scale: [sx, _],
+                centre: [_, cy], ..
             } => {
                 let qy = cy + across;
                 let reach = ((1.0 - qy) * (1.0 + qy)).max(0.0).sqrt();
-                [-reach, reach].map(|edge| ((edge - cx) / sx).asinh())
+                Some([-reach, reach])
             }
         }
+    }
+
+    /// The range of x.
+    fn x_range(&self) -> [f64; 2] {
+        let edges = self.edges();
+        edges.map_or(self.chart.widest_x_range(), |edges| {
+            edges.map(|edge| self.chart.coordinate(edge))
+        })
+    }
+
+    /// The part of the range `x`, whose ends are at these `places`, in which the hemisphere lies.
+    pub(super) fn within(&self, [x0, x1]: [f64; 2], [first, last]: [f64; 2]) -> [f64; 2] {
+        let Some([low, high]) = self.edges() else {
+            let [low, high] = self.chart.widest_x_range();
+            return [x0.max(low), x1.min(high)];
+        };
+        // Most rows need not be clipped, and no logarithm.
+        let from = if first >= low {
+            x0
+        } else {
+            self.chart.coordinate(low)
+        };
+        let to = if last <= high {
+            x1
+        } else {
+            self.chart.coordinate(high)
+        };
+        [from, to]
     }
 
     /// The direction at `x`, and the solid angle per unit of the coordinates' area.
@@ -335,32 +391,4 @@ fn slopes(wo: DVec3, wi: DVec3, is_back: bool) -> [f64; 2] {
         wo + wi
     };
     [sum.x / sum.z, sum.y / sum.z]
-}
-
-/// The share of the samples that a narrow lobe beside a wide one may have without being missed.
-const NARROW_SHARE: usize = 32;
-
-/// The size below which one in [`NARROW_SHARE`] of the x or y of `points` lies. 0 without points.
-///
-/// For one lobe that is a fixed small part of its width; for a narrow lobe within a wide one it is of the size of the
-/// narrow one, where the median would be of neither: linear across the narrow lobe, the chart is logarithmic from there on.
-fn narrow_scale(points: &mut [[f64; 2]], is_x: bool) -> f64 {
-    let index = points.len() / NARROW_SHARE;
-    let key = |[x, y]: &[f64; 2]| if is_x { *x } else { *y };
-    if points.is_empty() {
-        return 0.0;
-    }
-    let (_, at, _) = points.select_nth_unstable_by(index, |a, b| key(a).total_cmp(&key(b)));
-    key(at)
-}
-
-/// The median of the x or y of `points`, which are left in two halves about it. 0 without points.
-pub(super) fn median(points: &mut [[f64; 2]], is_x: bool) -> f64 {
-    let key = |[x, y]: &[f64; 2]| if is_x { *x } else { *y };
-    if points.is_empty() {
-        return 0.0;
-    }
-    let (_, middle, _) =
-        points.select_nth_unstable_by(points.len() / 2, |a, b| key(a).total_cmp(&key(b)));
-    key(middle)
 }

@@ -163,11 +163,10 @@ impl<F: Fn(DVec3) -> Channels> Integrand<'_, F> {
         let Partition { subject, wo, .. } = self.partition;
         let mut sum = [0.0; CHANNELS];
         let [y_middle, y_half] = middle_and_half(cell.y);
+        let places = cell.x.map(|x| chart.place(x));
         for (node_y, weight_y) in self.rule {
             let row = chart.row(y_middle + y_half * node_y);
-            let [low, high] = row.x_range();
-            let [x0, x1] = cell.x;
-            let [x_middle, x_half] = middle_and_half([x0.max(low), x1.min(high)]);
+            let [x_middle, x_half] = middle_and_half(row.within(cell.x, places));
             if x_half > 0.0 {
                 for (node_x, weight_x) in self.rule {
                     let (wi, density) = row.direction(x_middle + x_half * node_x);

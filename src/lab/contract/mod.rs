@@ -19,6 +19,7 @@ mod integrals;
 mod law;
 mod limits;
 mod lobes;
+mod order;
 mod physics;
 mod pointwise;
 mod precision;
