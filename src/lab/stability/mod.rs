@@ -2,8 +2,9 @@
 //!
 //! [`examine`] takes a model to each [`Case`] and returns an [`Extreme`] for each precision: how many results are not
 //! finite, negative or misplaced, the largest error, and how much of what the stability law allows
-//! ([`rounding`](super::rounding)) it uses up. The extremes of parameters and those of directions are combined; where the error is worst a search goes on
-//! uphill. Everything is the same in every run.
+//! ([`rounding`](super::rounding)) it uses up. The extremes of parameters and those of directions are combined:
+//! the usual parameters with every pair of directions, the others in twos with every second. Where the error is worst a
+//! search goes on uphill. Everything is the same in every run.
 //!
 //! # The worst of each model
 //! Written by `check --all --extremes --markdown`; a test holds it against what is measured. An error of 1 is one next to an
