@@ -71,10 +71,8 @@ impl ViewTiles {
             Tile::Container(Container::Linear(linear)) => {
                 let part = |child: &TileId| {
                     let share = linear.shares.iter().find(|(id, _)| *id == child);
-                    Some(Part {
-                        share: share.map_or(1.0, |(_, share)| *share),
-                        place: self.place(*child)?,
-                    })
+                    let share = share.map_or(1.0, |(_, share)| *share);
+                    Some(Part::of(share, self.place(*child)?))
                 };
                 let mut parts: Vec<Part> = linear.children.iter().filter_map(part).collect();
                 if parts.len() < 2 {

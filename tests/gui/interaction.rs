@@ -184,8 +184,12 @@ fn the_held_direction_is_dragged_in_the_polar_plot() {
         session.phi_deg
     );
     assert_eq!(session.section_azimuth_deg(), 0.0);
-    // Below the horizon too: light may come from inside.
+    // Not below the horizon, where nothing would be reflected.
     drag_label(&mut harness, IN_POLAR, vec2(0.0, 300.0));
+    assert_eq!(harness.state().session.theta_deg, 90.0);
+    // Where light passes through, it may come from inside.
+    let mut harness = window("fresnel_specular");
+    drag_label(&mut harness, IN_POLAR, vec2(-100.0, 300.0));
     assert!(harness.state().session.theta_deg > 90.0);
 }
 

@@ -10,6 +10,7 @@ mod history;
 mod interaction;
 mod list;
 mod materials;
+mod numbers;
 mod overlay;
 mod render;
 mod screenshots;

@@ -16,8 +16,8 @@ use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
 use super::widgets::search::{Outcome, Search};
-use super::widgets::{badges, directions, help, layouts, options, status};
-use super::{commands, scene3d};
+use super::widgets::{badges, directions, help, layouts, number, options, status};
+use super::{commands, scene3d, views};
 use crate::analysis::Detail;
 use crate::lab::timing::Stopwatch;
 use export::Exports;
@@ -119,7 +119,10 @@ impl App {
             cursor: &mut self.cursor,
             palette,
         };
-        ui.push_id(view.id, |ui| (view.show)(ui, &mut cx));
+        ui.push_id(view.id, |ui| {
+            views::warn_of_held(ui, &mut cx, view);
+            (view.show)(ui, &mut cx);
+        });
     }
 
     fn show_side(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -315,6 +318,7 @@ impl eframe::App for App {
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
         self.show_windows(ui.ctx());
+        self.session.keep_allowed(self.history.present());
         self.history
             .record(&self.session, control_at_work(ui.ctx()));
         self.keep(ui.ctx());
@@ -329,8 +333,11 @@ impl eframe::App for App {
 }
 
 /// The control whose edits are one step together: the one that is dragged, or the one that has the keyboard while keys
-/// that move or type are pressed.
+/// that move or type are pressed. A number that is typed is a step of its own.
 fn control_at_work(ctx: &Context) -> Option<egui::Id> {
+    if number::was_entered(ctx) {
+        return None;
+    }
     let dragged = ctx.dragged_id().or(ctx.drag_stopped_id());
     let is_key = |event: &Event| match event {
         Event::Text(_) => true,

@@ -11,6 +11,9 @@ use glam::{Mat4, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::ray::Ray;
+use stored::StoredCamera;
+
+mod stored;
 
 /// Angle of view across the narrower side of the viewport, in radians (30 degrees).
 ///
@@ -70,39 +73,12 @@ impl HomeView {
 ///
 /// Two equal cameras draw the same picture, so a view can be cached by its camera.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "StoredCamera")]
+#[serde(try_from = "StoredCamera")]
 pub struct OrbitCamera {
     yaw: f32,
     pitch: f32,
     distance: f32,
     target: Vec3,
-}
-
-/// Serialised form; goes through [`OrbitCamera::sanitized`], because the file may have been edited.
-#[derive(Deserialize)]
-struct StoredCamera {
-    yaw: f32,
-    pitch: f32,
-    distance: f32,
-    target: Vec3,
-}
-
-impl From<StoredCamera> for OrbitCamera {
-    fn from(stored: StoredCamera) -> Self {
-        let StoredCamera {
-            yaw,
-            pitch,
-            distance,
-            target,
-        } = stored;
-        Self {
-            yaw,
-            pitch,
-            distance,
-            target,
-        }
-        .sanitized()
-    }
 }
 
 impl Default for OrbitCamera {
@@ -346,15 +322,6 @@ mod tests {
                 assert!(back.expect("in front").distance(pos) < 0.01);
             }
         }
-    }
-
-    #[test]
-    fn stored_values_are_clamped() {
-        let text = r#"{"yaw": 7.0, "pitch": 9.0, "distance": 0.0, "target": [9.0, 0.0, 0.0]}"#;
-        let camera: OrbitCamera = serde_json::from_str(text).expect("valid JSON");
-        assert!(camera.yaw() <= PI && camera.pitch() <= FRAC_PI_2);
-        assert!(camera.distance() >= DISTANCE_RANGE.0 && camera.target().length() <= MAX_TARGET);
-        assert!(camera.view_proj(1.0).is_finite());
     }
 
     #[test]

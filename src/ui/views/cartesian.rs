@@ -8,7 +8,7 @@ use crate::analysis::half_difference::half_difference;
 use crate::analysis::{Channel, HeldLobe, polar};
 use crate::ui::export::table;
 use crate::ui::format;
-use crate::ui::session::{DECADES, MaterialEntry, Session};
+use crate::ui::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::chart::{Axis, Chart, Series, Shown};
 use crate::ui::widgets::legend::{self, Sample};
@@ -18,6 +18,7 @@ use crate::ui::widgets::{choice, draw};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "cartesian",
     title: "Cartesian plot",
+    is_of_held: |session| session.views.cartesian.abscissa == Abscissa::Free,
     what_you_see: "The value f over an angle, as papers print it: peaks, tails and what two \
         models differ by",
     show,
@@ -56,11 +57,11 @@ fn controls(ui: &mut Ui, session: &mut Session) {
             Abscissa::Free => {}
             Abscissa::Half => {
                 let hint = "The angle between the light and the half vector, which stays";
-                choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, 0.0..=90.0);
+                choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, &FIXED_ANGLE);
             }
             Abscissa::Difference => {
                 let hint = "The angle between n and the half vector, which stays";
-                choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, 0.0..=90.0);
+                choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, &FIXED_ANGLE);
             }
         }
         let hint = "Values by decades below the highest: shows the tails";

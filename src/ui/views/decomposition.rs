@@ -20,6 +20,7 @@ use crate::ui::widgets::{choice, draw, pictures};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "decomposition",
     title: "Decomposition",
+    is_of_held: |_| true,
     what_you_see: "What the value is made of: lobes that sum to it, or the factors D, G and F \
         of a microfacet model",
     show,

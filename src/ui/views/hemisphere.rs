@@ -20,6 +20,7 @@ use crate::ui::widgets::{choice, draw};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "hemisphere",
     title: "Hemisphere",
+    is_of_held: |_| true,
     what_you_see: "The value in every direction of one side: n in the middle, the horizon at \
         the rim, colours for values",
     show,

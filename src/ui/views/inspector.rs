@@ -15,6 +15,7 @@ use crate::ui::widgets::draw;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "inspector",
     title: "Inspector",
+    is_of_held: |_| true,
     what_you_see: "Every material's numbers at the held direction and the one last pointed at \
         in any view; at first the mirror direction",
     show,

@@ -41,6 +41,8 @@ pub struct ViewSpec {
     pub title: &'static str,
     /// What to see in it, in a sentence.
     pub what_you_see: &'static str,
+    /// Whether, as the session has it, it shows what becomes of the held direction.
+    pub is_of_held: fn(&Session) -> bool,
     /// Draws it into the space left in the `Ui`.
     pub show: fn(&mut egui::Ui, &mut ViewContext<'_>),
     /// The numbers behind it.
@@ -167,6 +169,27 @@ fn section_marks(session: &Session, palette: &Palette) -> Vec<Mark> {
         mark("mirror", -held, palette.mirror, Dash::Dashed),
         mark("n", 0.0, palette.faint_ink, Dash::Dotted),
     ]
+}
+
+/// Where the held direction lies below opaque materials and the view is of it: says so, and offers the way back.
+pub(super) fn warn_of_held(ui: &mut egui::Ui, cx: &mut ViewContext<'_>, view: &ViewSpec) {
+    let session = &mut *cx.session;
+    let is_told = session.is_held_below() && (view.is_of_held)(session);
+    if !is_told {
+        return;
+    }
+    let name = session.held_name();
+    ui.horizontal_wrapped(|ui| {
+        let text = format!(
+            "The {name} is below the surface, and nothing shown lets light through: nothing is reflected"
+        );
+        ui.colored_label(ui.visuals().error_fg_color, text);
+        let hint = "As far above the surface as it is below now";
+        let button = ui.button(format!("Bring the {name} above"));
+        if button.on_hover_text(hint).clicked() {
+            session.raise_held();
+        }
+    });
 }
 
 /// Why no view has anything to show.

@@ -9,7 +9,7 @@ use crate::analysis::Channel;
 use crate::analysis::slice::{REGIONS, Region, Request, Slice, pair_at, place_of};
 use crate::ui::export::table;
 use crate::ui::format;
-use crate::ui::session::{DECADES, EntryId, MaterialEntry, Session};
+use crate::ui::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::ui::widgets::{choice, draw};
@@ -18,6 +18,7 @@ use crate::ui::widgets::{choice, draw};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "slice",
     title: "Slice",
+    is_of_held: |_| false,
     what_you_see: "f over the angles of half vector (to the right) and difference (upwards): \
         the fingerprint of a material",
     show,
@@ -72,7 +73,12 @@ fn controls(ui: &mut Ui, session: &mut Session) {
     ui.horizontal_wrapped(|ui| {
         let hint = "The azimuth of the difference about the half vector: at 90° both \
             directions are equally far from n";
-        choice::angle(ui, ("φd", hint), &mut options.phi_d_deg, 0.0..=180.0);
+        choice::angle(
+            ui,
+            ("φd", hint),
+            &mut options.phi_d_deg,
+            &DIFFERENCE_AZIMUTH,
+        );
         let hint = "θh by its square root: more room for the specular peak";
         choice::switch(ui, ("√θh", hint), &mut options.is_square_root);
         let hint = "Colours by decades below the highest value";

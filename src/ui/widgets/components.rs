@@ -8,7 +8,6 @@ use crate::bxdf::material::{MAX_COMPONENTS, library};
 use crate::bxdf::models::MODELS;
 use crate::bxdf::param::Value;
 use crate::bxdf::{Category, Component, Material, ModelSpec};
-use crate::error::Error;
 
 /// The weight of a lobe that is added: the material stays what it is, and seldom gives back more light than arrives.
 const ADDED_WEIGHT: f64 = 0.25;
@@ -56,7 +55,7 @@ impl Components {
         if components != material.components() {
             match material.with_components(components) {
                 Ok(changed) => *material = changed,
-                Err(error) => self.refused = Some((material.clone(), reason(error))),
+                Err(error) => self.refused = Some((material.clone(), params::reason(error))),
             }
         }
         // It stays until the material changes.
@@ -249,14 +248,6 @@ fn carry_index(before: &[Component], components: &mut [Component]) {
     for component in components.iter_mut().filter(others) {
         // A model without such a parameter, or whose range ends before, is refused with the reason.
         let _ = component.set("eta", Value::Number(index));
-    }
-}
-
-/// The reason of a refusal, in a line.
-fn reason(error: Error) -> String {
-    match error {
-        Error::Parse { problem, .. } => problem,
-        other => other.to_string(),
     }
 }
 

@@ -11,6 +11,7 @@ pub mod layouts;
 pub mod legend;
 pub mod materials;
 pub mod notice;
+pub mod number;
 pub mod options;
 pub mod params;
 pub mod picker;

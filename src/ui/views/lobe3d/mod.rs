@@ -26,6 +26,7 @@ pub(super) use scene::DrawingMemo;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "lobe3d",
     title: "3D lobe",
+    is_of_held: |_| true,
     what_you_see: "The lobe over all directions: the distance from the centre is the value f; \
         drag to orbit",
     show,

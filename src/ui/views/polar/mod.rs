@@ -21,6 +21,7 @@ mod radial;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "polar",
     title: "Polar plot",
+    is_of_held: |_| true,
     what_you_see: "A section of the lobe through the normal n: the length of a ray is the \
         value f in its direction",
     show,
@@ -202,7 +203,8 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bo
             cx.session.set_held(polar::direction(dragged_to, azimuth));
         } else {
             // Outside the section only theta is the pointer's, and the side of n on which it is drawn.
-            cx.session.theta_deg = (dragged_to.abs().to_degrees() * 10.0).round() / 10.0;
+            let theta_deg = (dragged_to.abs().to_degrees() * 10.0).round() / 10.0;
+            cx.session.set_theta_deg(theta_deg);
             if (dragged_to < 0.0) != (angle < 0.0) {
                 cx.session.phi_deg = wrapped_deg(cx.session.phi_deg + 180.0);
             }

@@ -7,6 +7,7 @@ use super::super::ViewContext;
 use super::position;
 use crate::analysis::sphere;
 use crate::bxdf::math::frame;
+use crate::ui::session::{LIGHT_PHI, LIGHT_THETA};
 use crate::ui::widgets::{draw, pictures};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.
@@ -51,9 +52,10 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
         90.0 + 90.0 * ((radius - 1.0) / BEHIND).min(1.0)
     };
     let tenth = |angle: f64| (10.0 * angle).round() / 10.0;
-    options.theta_deg = tenth(theta_deg);
+    LIGHT_THETA.put(&mut options.theta_deg, tenth(theta_deg));
     if radius > 1e-3 {
-        options.phi_deg = tenth(frame::phi(DVec3::new(x, -y, 0.0)).to_degrees());
+        let phi_deg = frame::phi(DVec3::new(x, -y, 0.0)).to_degrees();
+        LIGHT_PHI.put(&mut options.phi_deg, tenth(phi_deg));
     }
     ui.ctx().request_repaint();
 }

@@ -11,8 +11,9 @@ use crate::analysis::half_difference::Spherical;
 use crate::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
 use crate::ui::export::table;
 use crate::ui::format;
-use crate::ui::session::{Arrangement, EntryId, MaterialEntry, Session};
+use crate::ui::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
 use crate::ui::theme;
+use crate::ui::widgets::number::Number;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
 use crate::ui::widgets::{choice, draw};
 
@@ -22,6 +23,7 @@ mod light;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "sphere",
     title: "Lit sphere",
+    is_of_held: |_| false,
     what_you_see: "A sphere of the material under a light, in true proportion; a click takes \
         the directions of that point",
     show,
@@ -31,9 +33,6 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
 
 /// Room around a sphere for the handle of a light that stands behind it, as a share of the picture.
 const MARGIN: f32 = 0.08;
-
-/// The stops of exposure that can be chosen.
-const STOPS: std::ops::RangeInclusive<f64> = -6.0..=6.0;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
@@ -98,14 +97,10 @@ fn controls(ui: &mut Ui, session: &mut Session) {
             Light::title,
         );
         ui.label("Exposure");
-        let slider = egui::Slider::new(&mut options.exposure, STOPS)
-            .suffix(" stops")
-            .max_decimals(1);
-        let response = ui
-            .add(slider)
-            .on_hover_text("Each stop doubles the radiance; white is radiance 1 at 0 stops");
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label("Exposure"));
+        let hint = "Each stop doubles the radiance; white is radiance 1 at 0 stops";
+        let number = Number::new("Exposure", EXPOSURE).steps(0.0, 1);
+        let shown = number.slider(ui, "", &mut options.exposure);
+        shown.on_hover_text(hint).explain(ui);
         if is_overlay {
             let hint = "How the spheres of several materials stand";
             choice::choice(

@@ -4,9 +4,10 @@ use std::fmt::Write as _;
 
 use egui::{Rect, Sense, Ui, vec2};
 
-use super::{LEAST_TOLERANCE, ViewContext, choose, look};
+use super::{ViewContext, choose, look};
 use crate::lab::tradeoff::{FAMILIES, FamilyReport, Point, Report};
 use crate::ui::format;
+use crate::ui::session::TOLERANCE;
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::chart::{Axis, Chart, Dots, Mark, Series};
 use crate::ui::widgets::draw;
@@ -183,7 +184,7 @@ fn drag_tolerance(
         // Two digits, as it is shown.
         let unit = 10_f64.powf(error.log10().floor() - 1.0);
         let rounded = (error / unit).round() * unit;
-        cx.session.views.tradeoff.tolerance = rounded.clamp(LEAST_TOLERANCE, 1.0);
+        TOLERANCE.put(&mut cx.session.views.tradeoff.tolerance, rounded);
     }
 }
 
