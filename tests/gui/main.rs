@@ -10,11 +10,13 @@ mod history;
 mod interaction;
 mod list;
 mod materials;
+mod number_field;
 mod numbers;
 mod overlay;
 mod render;
 mod screenshots;
 mod tiles;
+mod typing;
 mod views;
 mod workers;
 

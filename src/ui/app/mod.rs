@@ -13,10 +13,11 @@ use super::views::{Cursor, ViewContext, ViewSpec, ViewState};
 use super::widgets::components::Components;
 use super::widgets::materials::MaterialList;
 use super::widgets::notice::Notice;
+use super::widgets::number::work::{self, Work};
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
 use super::widgets::search::{Outcome, Search};
-use super::widgets::{badges, directions, help, layouts, number, options, status};
+use super::widgets::{badges, directions, help, layouts, options, status};
 use super::{commands, scene3d, views};
 use crate::analysis::Detail;
 use crate::lab::timing::Stopwatch;
@@ -335,8 +336,11 @@ impl eframe::App for App {
 /// The control whose edits are one step together: the one that is dragged, or the one that has the keyboard while keys
 /// that move or type are pressed. A number that is typed is a step of its own.
 fn control_at_work(ctx: &Context) -> Option<egui::Id> {
-    if number::was_entered(ctx) {
-        return None;
+    if let Some(work) = work::done(ctx) {
+        return match work {
+            Work::Entered => None,
+            Work::Moved(id) => Some(id),
+        };
     }
     let dragged = ctx.dragged_id().or(ctx.drag_stopped_id());
     let is_key = |event: &Event| match event {

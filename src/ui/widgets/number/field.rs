@@ -5,9 +5,10 @@ use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
     Align2, Color32, Context, CursorIcon, Id, Key, Modifiers, Response, Sense, Stroke, StrokeKind,
-    TextEdit, Ui, WidgetInfo, emath, vec2,
+    TextEdit, Ui, UiBuilder, WidgetInfo, emath, vec2,
 };
 
+use super::work::{self, Work};
 use super::{LOGARITHMIC_SPEED, Number, Shown};
 use crate::ui::number::plain;
 use crate::ui::theme;
@@ -29,18 +30,6 @@ struct State {
     pass: u64,
     /// Where a drag stands, before it is rounded.
     dragged: Option<f64>,
-}
-
-/// The frame in which a text was last accepted.
-fn entry_id() -> Id {
-    Id::unique("number entered")
-}
-
-/// Whether a typed number was accepted in this frame: that is a step of its own, whatever else the frame brings.
-#[must_use]
-pub fn was_entered(ctx: &Context) -> bool {
-    let pass: Option<u64> = ctx.data(|data| data.get_temp(entry_id()));
-    pass == Some(ctx.cumulative_pass_nr())
 }
 
 /// One frame of the field.
@@ -110,8 +99,7 @@ impl Field<'_> {
     fn set(&mut self, ctx: &Context, x: f64) {
         if x.to_bits() != self.value.to_bits() {
             *self.value = x;
-            let pass = ctx.cumulative_pass_nr();
-            ctx.data_mut(|data| data.insert_temp(entry_id(), pass));
+            work::note(ctx, Work::Entered);
         }
     }
 
@@ -233,6 +221,7 @@ impl Field<'_> {
         });
         if steps != 0.0 && self.enter(ui.ctx()) {
             self.move_by(steps);
+            work::note(ui.ctx(), Work::Moved(self.id));
             self.begin(ui);
         }
         let color = self
@@ -252,7 +241,10 @@ impl Field<'_> {
             .margin(vec2(4.0, 0.0))
             .min_size(size)
             .desired_width(size.x);
-        let response = ui.add_sized(size, edit);
+        // In a room of its own, so that nothing beside it moves.
+        let (_, rect) = ui.allocate_space(size);
+        let room = UiBuilder::new().max_rect(rect).layout(*ui.layout());
+        let response = ui.new_child(room).add(edit);
         self.state.text = Some(text);
         if self.state.refusal.is_some() && response.changed() {
             let read = self.state.text.as_ref().map(|text| self.number.read(text));
@@ -276,6 +268,9 @@ impl Field<'_> {
     /// The value, or the text that was refused; a drag changes it, a click lets one type.
     fn rest(&mut self, ui: &mut Ui) -> Response {
         let (_, rect) = ui.allocate_space(self.size(ui));
+        // As many ids as the text takes: controls after the field are the same ones when it loses the focus, and a click that
+        // takes it away finds them.
+        ui.skip_ahead_auto_ids(1);
         let response = ui.interact(rect, self.id, Sense::click_and_drag());
         let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
         self.drag(ui, &response);

@@ -3,15 +3,14 @@
 //! The text is the person's until Enter or until they leave the field. What is accepted is stored to the last digit; what
 //! is not stays as it is, marked, and changes nothing.
 
-use egui::{Response, RichText, Slider, SliderClamping, Ui, accesskit};
+use egui::{Response, RichText, Slider, SliderClamping, Ui};
 
 use crate::ui::format;
 use crate::ui::number::{NumberSpec, plain};
 
 mod field;
 mod parse;
-
-pub use field::was_entered;
+pub mod work;
 
 /// Says why a number is refused though it is within its range.
 pub type Check<'a> = &'a dyn Fn(f64) -> Result<(), String>;
@@ -134,11 +133,7 @@ impl<'a> Number<'a> {
             .clamping(SliderClamping::Never)
             .max_decimals(self.decimals)
             .step_by(self.step);
-        let response = ui.add(slider);
-        let name = self.name.to_owned();
-        let set_label = |node: &mut accesskit::Node| node.set_label(name);
-        ui.ctx().accesskit_node_builder(response.id, set_label);
-        response
+        ui.add(slider).accessible_name(self.name)
     }
 
     /// The field alone.
@@ -153,8 +148,10 @@ impl<'a> Number<'a> {
             let shown = self.field(ui, value);
             if !label.is_empty() {
                 let label = ui.label(label).id;
-                rail.labelled_by(label);
-                shown.response.labelled_by(label);
+                // The name says more than the label where there are several lobes.
+                rail.labelled_by(label).accessible_name(self.name);
+                let field = shown.response.labelled_by(label);
+                field.accessible_name(self.name);
             }
             shown.refusal
         });
