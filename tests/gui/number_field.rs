@@ -106,7 +106,7 @@ fn leaving_the_field_stores_what_is_allowed_and_marks_the_rest() {
 fn what_is_typed_is_stored_when_another_material_is_chosen() {
     let mut harness = window_of(&["rough_conductor", "oren_nayar"]);
     type_into(&mut harness, "Alpha x", "0.25");
-    harness.get_by_label("Oren-Nayar").click();
+    harness.get_by_label("Select Oren-Nayar").click();
     harness.run();
     let first = harness.state().session.materials.iter().next().unwrap();
     assert_eq!(
@@ -124,7 +124,10 @@ fn the_click_that_leaves_a_field_does_what_it_does_elsewhere() {
     harness.get_by_label("Reset Alpha x").click();
     harness.run();
     let component = &harness.state().session.material().components()[0];
-    assert_eq!(component.to_string(), "rough_conductor:eta=0.143/0.375/0.25");
+    assert_eq!(
+        component.to_string(),
+        "rough_conductor:eta=0.143/0.375/0.25"
+    );
 }
 
 #[test]

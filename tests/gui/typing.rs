@@ -43,7 +43,9 @@ pub fn enter<S>(harness: &mut Harness<'_, S>, name: &str, text: &str) {
 /// The text in a field, and why it is refused.
 pub fn said<S>(harness: &Harness<'_, S>, name: &str) -> (String, Option<String>) {
     let field = harness.get_by_role_and_label(Role::SpinButton, name);
-    let words = field.accesskit_node().description();
+    let node = field.accesskit_node();
+    let is_refused = node.data().invalid().is_some();
+    let words = node.description().filter(|_| is_refused);
     (field.value().unwrap_or_default(), words)
 }
 

@@ -279,6 +279,7 @@ impl eframe::App for App {
             CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
             return;
         }
+        self.session.keep_allowed(self.history.present());
         self.data.begin_frame(&self.session);
         self.state.begin_frame();
         let before = self.cursor;

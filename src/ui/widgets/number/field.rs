@@ -298,10 +298,10 @@ impl Field<'_> {
         if points == 0.0 {
             return;
         }
-        let step = if self.number.spec.is_whole {
-            self.number.speed
-        } else {
+        let step = if self.number.is_logarithmic {
             self.step()
+        } else {
+            self.number.speed
         };
         let [low, high] = self.number.spec.range;
         let from = self.state.dragged.unwrap_or(*self.value);

@@ -3,7 +3,7 @@
 //! The text is the person's until Enter or until they leave the field. What is accepted is stored to the last digit; what
 //! is not stays as it is, marked, and changes nothing.
 
-use egui::{Response, RichText, Slider, SliderClamping, Ui};
+use egui::{Response, RichText, Slider, SliderClamping, Ui, accesskit};
 
 use crate::ui::format;
 use crate::ui::number::{NumberSpec, plain};
@@ -210,10 +210,13 @@ impl Shown {
     /// With this tooltip.
     #[must_use]
     pub fn on_hover_text(self, hint: &str) -> Self {
-        Self {
-            response: self.response.on_hover_text(hint),
-            refusal: self.refusal,
+        let response = self.response.on_hover_text(hint);
+        // The tooltip is the description too: the reason goes before it.
+        if let Some(words) = self.refusal.clone() {
+            let describe = |node: &mut accesskit::Node| node.set_description(words);
+            response.ctx.accesskit_node_builder(response.id, describe);
         }
+        Self { response, ..self }
     }
 
     /// Says why the text is refused, if it is, where the next thing is drawn.
