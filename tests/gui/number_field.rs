@@ -7,7 +7,7 @@ use egui::{Event, Key, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};
 
-use super::typing::{enter, press, said, type_into};
+use super::typing::{enter, key, press, said, type_into};
 use super::{picture, session, window, window_of};
 
 fn alpha(harness: &Harness<'_, App>) -> [f64; 2] {
@@ -128,6 +128,25 @@ fn the_click_that_leaves_a_field_does_what_it_does_elsewhere() {
         component.to_string(),
         "rough_conductor:eta=0.143/0.375/0.25"
     );
+}
+
+/// A slow frame holds several keys.
+#[test]
+fn keys_of_one_frame_stay_in_their_fields() {
+    let mut harness = window("oren_nayar");
+    type_into(&mut harness, "Reflectance R", "0.");
+    for event in [
+        Event::Text("25".to_owned()),
+        key(Key::Tab, egui::Modifiers::NONE),
+    ] {
+        harness.input_mut().events.push(event);
+    }
+    harness.step();
+    harness.step();
+    let component = &harness.state().session.material().components()[0];
+    assert_eq!(component.to_string(), "oren_nayar:reflectance=0.25/0.8/0.8");
+    let (green, _) = said(&harness, "Reflectance G");
+    assert_eq!(green, "0.8");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use egui::{
 };
 
 use super::work::{self, Work};
-use super::{LOGARITHMIC_SPEED, Number, Shown};
+use super::{LOGARITHMIC_SPEED, Number, Shown, late};
 use crate::ui::number::plain;
 use crate::ui::theme;
 
@@ -182,8 +182,24 @@ impl Field<'_> {
                 self.forget();
             }
         } else {
+            self.catch_up(ui);
             self.enter(ui.ctx());
         }
+    }
+
+    /// Takes the keys that came before the Tab that ends the text.
+    fn catch_up(&mut self, ui: &Ui) {
+        let Some(text) = &mut self.state.text else {
+            return;
+        };
+        let end = text.chars().count();
+        let range = TextEditState::load(ui.ctx(), self.id)
+            .and_then(|edit| edit.cursor.char_range())
+            .map_or(end..end, |range| {
+                let [from, to] = range.sorted_cursors();
+                usize::from(from.index)..usize::from(to.index)
+            });
+        ui.input_mut(|input| late::type_before_tab(&mut input.events, text, range));
     }
 
     /// All of the text is selected when it gets the focus, so that typing replaces it.

@@ -9,6 +9,7 @@ use crate::ui::format;
 use crate::ui::number::{NumberSpec, plain};
 
 mod field;
+mod late;
 mod parse;
 pub mod work;
 
