@@ -184,7 +184,7 @@ fn the_held_direction_is_dragged_in_the_polar_plot() {
         session.phi_deg
     );
     assert_eq!(session.section_azimuth_deg(), 0.0);
-    // Not below the horizon, where nothing would be reflected.
+    // Not below the horizon: nothing would be left to see above it.
     drag_label(&mut harness, IN_POLAR, vec2(0.0, 300.0));
     assert_eq!(harness.state().session.theta_deg, 90.0);
     // Where light passes through, it may come from inside.

@@ -256,7 +256,7 @@ fn a_light_below_opaque_materials_is_told_with_a_way_back() {
             ..session(&["oren_nayar"])
         };
         let text = "The light is below the surface, and nothing shown lets light through: \
-            nothing is reflected";
+            all values above it are 0";
         let mut harness = picture(below.clone(), Some(view.id), [640, 480], Theme::Dark).shapes();
         let is_told = harness.query_by_label(text).is_some();
         assert_eq!(is_told, of_held(view.id), "{}", view.id);

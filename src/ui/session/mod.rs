@@ -91,7 +91,8 @@ pub struct Session {
     pub locked: BTreeSet<String>,
     /// Which direction is held.
     pub hold: Hold,
-    /// Polar angle of the held direction from n, in degrees, 0..180. For materials that are opaque it is of use up to 90.
+    /// Polar angle of the held direction from n, in degrees, 0..180. From below opaque materials look as from above:
+    /// gestures end at 90 for them.
     pub theta_deg: f64,
     /// Azimuth of the held direction from s, in degrees, -180..180.
     pub phi_deg: f64,
@@ -189,7 +190,8 @@ impl Session {
         }
     }
 
-    /// Whether the held direction lies below the surface of materials that are all opaque, so that there is nothing to see.
+    /// Whether the held direction lies below the surface of materials that are all opaque, so that nothing is to be seen
+    /// above it.
     #[must_use]
     pub fn is_held_below(&self) -> bool {
         let mut shown = self.materials.shown().peekable();

@@ -181,7 +181,7 @@ pub(super) fn warn_of_held(ui: &mut egui::Ui, cx: &mut ViewContext<'_>, view: &V
     let name = session.held_name();
     ui.horizontal_wrapped(|ui| {
         let text = format!(
-            "The {name} is below the surface, and nothing shown lets light through: nothing is reflected"
+            "The {name} is below the surface, and nothing shown lets light through: all values above it are 0"
         );
         ui.colored_label(ui.visuals().error_fg_color, text);
         let hint = "As far above the surface as it is below now";
