@@ -76,7 +76,7 @@ impl Error {
         Self::UnknownId {
             what,
             id: id.to_owned(),
-            nearest: nearest(id, known),
+            nearest: nearest(id, known.into_iter().map(|name| (name, name.to_owned()))),
         }
     }
 
@@ -100,22 +100,21 @@ impl Error {
 /// How many near names an error proposes.
 const MAX_PROPOSALS: usize = 3;
 
-fn nearest<'a>(id: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
-    let wanted = id.to_lowercase();
-    let mut scored: Vec<(f64, &str)> = known
+/// What has the names nearest to `wanted`, best first, of `known` with their names.
+pub fn nearest<'a, T>(wanted: &str, known: impl IntoIterator<Item = (&'a str, T)>) -> Vec<T> {
+    let wanted = wanted.to_lowercase();
+    let mut scored: Vec<(f64, T)> = known
         .into_iter()
-        .map(|name| {
-            let contains = !wanted.is_empty() && (name.contains(&wanted) || wanted.contains(name));
+        .map(|(name, known)| {
+            let name = name.to_lowercase();
+            let contains = !wanted.is_empty() && (name.contains(&wanted) || wanted.contains(&name));
             let bonus = if contains { 1.0 } else { 0.0 };
-            (bonus + strsim::jaro_winkler(&wanted, name), name)
+            (bonus + strsim::jaro_winkler(&wanted, &name), known)
         })
         .collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0));
-    scored
-        .into_iter()
-        .take(MAX_PROPOSALS)
-        .map(|(_, name)| name.to_owned())
-        .collect()
+    let best = scored.into_iter().take(MAX_PROPOSALS);
+    best.map(|(_, known)| known).collect()
 }
 
 fn nearest_phrase(nearest: &[String]) -> String {

@@ -85,6 +85,78 @@ fn a_material_is_added_through_the_picker() {
 }
 
 #[test]
+fn a_material_is_added_by_keys_alone() {
+    let mut harness = window("rough_conductor");
+    let press = |harness: &mut Harness<'_, App>, key| {
+        harness.key_press(key);
+        harness.run();
+    };
+    let add = |harness: &mut Harness<'_, App>, text: &str| {
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::M);
+        harness.run();
+        harness.event(Event::Text(text.to_owned()));
+        harness.run();
+    };
+    // The names come first; one hit is enough for Enter.
+    add(&mut harness, "lamb");
+    press(&mut harness, Key::Enter);
+    add(&mut harness, "glossy red");
+    press(&mut harness, Key::Enter);
+    add(&mut harness, "lamb");
+    press(&mut harness, Key::ArrowDown);
+    press(&mut harness, Key::ArrowDown);
+    press(&mut harness, Key::ArrowUp);
+    press(&mut harness, Key::Enter);
+    let added = [
+        "Rough conductor",
+        "Lambertian reflection",
+        "Glossy red plastic",
+        "Lambertian transmission",
+    ];
+    assert_eq!(titles(&harness), added);
+    assert!(!is_said(&harness, "Choose what to add"));
+    // Letters are commands again, and nothing is left of the search.
+    press(&mut harness, Key::C);
+    assert!(harness.state().session.with_cosine);
+    assert!(harness.query_by_label("Clear the search").is_none());
+    // Escape leaves.
+    add(&mut harness, "gold");
+    press(&mut harness, Key::Escape);
+    assert!(!is_said(&harness, "Choose what to add"));
+    assert!(harness.query_by_label("Clear the search").is_none());
+    press(&mut harness, Key::Enter);
+    assert_eq!(titles(&harness), added);
+}
+
+#[test]
+fn a_search_hides_nothing_for_good() {
+    let mut harness = window("rough_conductor");
+    let search = |harness: &mut Harness<'_, App>, text: &str| {
+        harness.get_by_label_contains("Search m").click();
+        harness.run();
+        harness.event(Event::Text(text.to_owned()));
+        harness.run();
+    };
+    let hidden = "Selected, but not found by this search: Rough conductor";
+    search(&mut harness, "road");
+    assert!(is_said(&harness, "Road sign") && is_said(&harness, hidden));
+    assert!(!is_said(&harness, "Black rubber"));
+    click(&mut harness, "Clear the search");
+    assert!(!is_said(&harness, hidden) && !is_said(&harness, "Road sign"));
+    search(&mut harness, "phong");
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert!(is_said(&harness, "Rough conductor  (R)"));
+    search(&mut harness, "phong");
+    click(&mut harness, "Phong  (R)");
+    assert!(!is_said(&harness, "Selected, but"));
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::N);
+    harness.run();
+    assert!(harness.query_by_label("Clear the search").is_none());
+    assert!(is_said(&harness, "Rough conductor  (R)"));
+}
+
+#[test]
 fn the_same_model_can_be_added_again() {
     let mut harness = window("rough_conductor");
     click(&mut harness, "Add…");

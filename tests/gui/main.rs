@@ -6,6 +6,7 @@ mod badges;
 mod commands;
 mod export;
 mod files;
+mod gestures;
 mod history;
 mod interaction;
 mod list;

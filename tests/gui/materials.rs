@@ -70,12 +70,16 @@ fn a_named_material_is_searched_and_chosen() {
             .query_by_role_and_label(Role::Slider, "Alpha x")
             .is_some()
     );
+    // Both lists are searched, whichever is shown.
     click(&mut harness, "Models");
     assert!(
         harness
-            .query_by_label_contains("No model has this name")
+            .query_by_role_and_label(Role::Button, "Gold")
             .is_some()
     );
+    click(&mut harness, "Clear the search");
+    assert!(harness.query_by_label("Clear the search").is_none());
+    assert!(harness.query_by_label("Phong  (R)").is_some());
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! The window: panels around the views.
 
-use egui::{Align, CentralPanel, Context, Event, Key, Layout, Panel, RichText, ScrollArea, Ui};
+use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, ScrollArea, Ui};
 
 use super::commands::Command;
 use super::data::Data;
 use super::history::History;
 use super::jobs::Clock;
+use super::pacing::Pacing;
 use super::session::{SHARES, Session};
 use super::theme::{self, Palette};
 use super::tiles::ViewTiles;
@@ -15,6 +16,7 @@ use super::widgets::materials::MaterialList;
 use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
+use super::widgets::said::Said;
 use super::widgets::search::{Outcome, Search};
 use super::widgets::{badges, directions, help, layouts, options, status};
 use super::{commands, scene3d};
@@ -25,16 +27,7 @@ use files::Files;
 
 mod export;
 mod files;
-
-/// Keys that change the value of a control a little at a time.
-const MOVING_OR_TYPING: [Key; 6] = [
-    Key::ArrowLeft,
-    Key::ArrowRight,
-    Key::ArrowUp,
-    Key::ArrowDown,
-    Key::Backspace,
-    Key::Delete,
-];
+mod keys;
 
 /// The application.
 pub struct App {
@@ -50,6 +43,8 @@ pub struct App {
     components: Components,
     list: MaterialList,
     notice: Notice,
+    said: Said,
+    pacing: Pacing,
     files: Option<Files>,
     exports: Exports,
     search: Option<Search>,
@@ -86,12 +81,21 @@ impl App {
             components: Components::default(),
             list: MaterialList::default(),
             notice: Notice::default(),
+            said: Said::default(),
+            pacing: Pacing::default(),
             files: None,
             exports: Exports::default(),
             search: None,
             is_help_shown: false,
             tiles: None,
         }
+    }
+
+    /// The application as pictures show it: without what stands over a view for a hand alone.
+    #[must_use]
+    pub fn for_picture(mut self) -> Self {
+        self.state.is_picture = true;
+        self
     }
 
     /// The least detail in which the last frame shows the session; `None` where a part of it is older.
@@ -203,6 +207,12 @@ impl App {
         }
     }
 
+    /// Begins anew, with all there is to choose from.
+    pub fn start_anew(&mut self) {
+        self.session = Session::default();
+        self.picker.clear_search();
+    }
+
     /// Replaces the session and forgets what was done before: there is nothing to undo.
     fn restart(&mut self, session: Session) {
         self.history = History::new(&session);
@@ -210,8 +220,8 @@ impl App {
     }
 
     /// Lets the picker add the next choice, or not any more.
-    pub fn start_adding(&mut self) {
-        self.picker.is_adding ^= true;
+    pub fn start_adding(&mut self, ctx: &Context) {
+        self.picker.start_adding(ctx);
     }
 
     /// Adds another material like the selected one.
@@ -230,8 +240,14 @@ impl App {
     }
 
     /// Shows the search of the commands.
-    pub fn start_search(&mut self) {
-        self.search = Some(Search::default());
+    pub fn start_search(&mut self, ctx: &Context) {
+        self.search = Some(Search::begin(ctx));
+    }
+
+    /// Whether it is shown what keys and the mouse do.
+    #[must_use]
+    pub fn is_help_shown(&self) -> bool {
+        self.is_help_shown
     }
 
     /// Shows what keys and the mouse do, or no longer.
@@ -239,8 +255,8 @@ impl App {
         self.is_help_shown ^= true;
     }
 
-    /// The windows above all else: the help, and the search of the commands.
-    fn show_windows(&mut self, ctx: &Context) {
+    /// The windows above all else: the help, the search of the commands, and what a key did, over the `views`.
+    fn show_windows(&mut self, ctx: &Context, views: Rect) {
         if self.is_help_shown {
             self.is_help_shown = help::show(ctx);
         }
@@ -248,9 +264,10 @@ impl App {
             match search.show(ctx, self) {
                 Outcome::Open => self.search = Some(search),
                 Outcome::Closed => {}
-                Outcome::Chosen(command) => command.try_run(self, ctx),
+                Outcome::Chosen(command) => command.run_and_say(self, ctx),
             }
         }
+        self.said.show(ctx, views);
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -268,7 +285,15 @@ impl App {
 }
 
 impl eframe::App for App {
+    fn raw_input_hook(&mut self, _ctx: &Context, raw_input: &mut RawInput) {
+        self.pacing.pace(&mut raw_input.events);
+    }
+
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.pacing.take();
+        if self.pacing.is_waiting() {
+            ui.ctx().request_repaint();
+        }
         let palette = Palette::of(ui.ctx().theme());
         let is_small = ui.available_size().min(theme::USABLE_SIZE) != theme::USABLE_SIZE;
         if is_small && self.only.is_none() {
@@ -311,12 +336,12 @@ impl eframe::App for App {
             .show(ui, |ui| self.show_side(ui, &palette));
         Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
-        CentralPanel::no_frame()
+        let views = CentralPanel::no_frame()
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
-        self.show_windows(ui.ctx());
+        self.show_windows(ui.ctx(), views.response.rect);
         self.history
-            .record(&self.session, control_at_work(ui.ctx()));
+            .record(&self.session, keys::control_at_work(ui.ctx()));
         self.keep(ui.ctx());
         if self.cursor != before {
             ui.ctx().request_repaint();
@@ -326,17 +351,4 @@ impl eframe::App for App {
     fn on_exit(&mut self) {
         self.keep_now();
     }
-}
-
-/// The control whose edits are one step together: the one that is dragged, or the one that has the keyboard while keys
-/// that move or type are pressed.
-fn control_at_work(ctx: &Context) -> Option<egui::Id> {
-    let dragged = ctx.dragged_id().or(ctx.drag_stopped_id());
-    let is_key = |event: &Event| match event {
-        Event::Text(_) => true,
-        Event::Key { key, pressed, .. } => *pressed && MOVING_OR_TYPING.contains(key),
-        _ => false,
-    };
-    let is_keyed = ctx.input(|input| input.events.iter().any(is_key));
-    dragged.or_else(|| ctx.memory(egui::Memory::focused).filter(|_| is_keyed))
 }

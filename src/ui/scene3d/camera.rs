@@ -136,6 +136,20 @@ impl OrbitCamera {
         *self = Self::new(view);
     }
 
+    /// Whether it stands at one of the home views, but for rounding.
+    #[must_use]
+    pub fn is_home(&self) -> bool {
+        /// Of angles in radians and of places in world units: no eye sees less.
+        const ROUNDING: f32 = 1e-4;
+        HomeView::ALL.into_iter().map(Self::new).any(|home| {
+            let angles = [self.yaw - home.yaw, self.pitch - home.pitch];
+            let is_near = |x: f32| x.abs() < ROUNDING;
+            angles.into_iter().all(is_near)
+                && is_near(self.distance - home.distance)
+                && is_near(self.target.distance(home.target))
+        })
+    }
+
     /// Azimuth of the eye about n from +s towards +t, in radians, in (-pi, pi].
     #[must_use]
     pub const fn yaw(&self) -> f32 {
@@ -355,6 +369,20 @@ mod tests {
         assert!(camera.yaw() <= PI && camera.pitch() <= FRAC_PI_2);
         assert!(camera.distance() >= DISTANCE_RANGE.0 && camera.target().length() <= MAX_TARGET);
         assert!(camera.view_proj(1.0).is_finite());
+    }
+
+    #[test]
+    fn a_camera_is_home_until_it_is_moved() {
+        for view in HomeView::ALL {
+            let home = OrbitCamera::new(view);
+            let mut moved = [home.clone(), home.clone(), home.clone()];
+            let [orbited, zoomed, panned] = &mut moved;
+            orbited.orbit(Vec2::new(3.0, 0.0));
+            zoomed.zoom(1.05);
+            panned.pan(Vec2::new(3.0, 0.0), Vec2::splat(300.0));
+            assert!(home.is_home() && home.sanitized().is_home());
+            assert!(moved.iter().all(|camera| !camera.is_home()), "{view:?}");
+        }
     }
 
     #[test]

@@ -89,6 +89,10 @@ pub const LIST_BELOW: f32 = 300.0;
 pub const PROGRESS_WIDTH: f32 = 130.0;
 /// Radius of a handle that can be dragged.
 pub const HANDLE_RADIUS: f32 = 7.0;
+/// How far from its middle, in points, a press takes a handle.
+pub const HANDLE_REACH: f32 = 20.0;
+/// The size of the button that puts a view back, in points.
+pub const RESET_VIEW: Vec2 = Vec2::new(76.0, 20.0);
 /// Alpha of a lobe one sees through, 0..255.
 pub const SEE_THROUGH_ALPHA: u8 = 120;
 

@@ -14,7 +14,7 @@ use crate::ui::format;
 use crate::ui::session::{DECADES, EntryId, MaterialEntry, Session};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
-use crate::ui::widgets::{choice, draw};
+use crate::ui::widgets::{choice, draw, handle};
 
 /// The list entry.
 pub(super) const SPEC: ViewSpec = ViewSpec {
@@ -56,20 +56,19 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     };
     let room = ui.available_rect_before_wrap();
     let room = pictures::color_bar(ui, room, scale, &quantity_name(cx.session), cx.palette);
-    for (index, cell) in pictures::cells(room, maps.len(), 1.0)
-        .into_iter()
-        .enumerate()
-    {
-        if let Some((entry, map)) = maps.get(index) {
-            let disc = Cell {
-                picture: cell.picture.shrink(LABELS),
-                ..cell
-            };
-            show_map(ui, cx, disc, (*entry, map), scale);
-            if index == 0 {
-                drag_held(ui, cx, disc.picture);
-            }
-        }
+    let cells = pictures::cells(room, maps.len(), 1.0);
+    let mut first = None;
+    for (cell, (entry, map)) in cells.into_iter().zip(&maps) {
+        let disc = Cell {
+            picture: cell.picture.shrink(LABELS),
+            ..cell
+        };
+        show_map(ui, cx, disc, (*entry, map), scale);
+        first = first.or(Some(disc.picture));
+    }
+    // Above all pictures: its grip may reach into the next one.
+    if let Some(picture) = first {
+        drag_held(ui, cx, picture);
     }
     ui.advance_cursor_after_rect(room);
 }
@@ -315,16 +314,10 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
     }
     let at = pictures::position_of(rect, mirrored(options.projection.place(held)));
     let (color, id) = (cx.palette.held(cx.session.hold), ui.scope_id().with("held"));
-    let handle = draw::handle(
-        ui,
-        at,
-        id,
-        "Held direction in the hemisphere",
-        color,
-        cx.palette,
-    );
-    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
-        let [x, y] = pictures::share_of(rect, pointer).map(|share| 2.0 * share - 1.0);
+    let named = (id, "Held direction in the hemisphere", ui.clip_rect());
+    let handle = handle::show(ui, at, named, color, cx.palette);
+    if let Some(place) = handle.dragged_to() {
+        let [x, y] = pictures::share_of(rect, place).map(|share| 2.0 * share - 1.0);
         let reach = x.hypot(-y).max(1.0);
         let place = [x / reach, -y / reach];
         if let Some(w) = options.projection.direction(place, !options.is_lower) {

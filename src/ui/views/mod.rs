@@ -114,6 +114,8 @@ pub struct ViewState {
     chosen: tradeoff::Chosen,
     /// The lines of equal condition number of a map of errors.
     kappas: Memo<Same<stability_map::Map>, Lines>,
+    /// Whether a picture is made, in which nobody can click.
+    pub(super) is_picture: bool,
     /// A file that a view asks to be written.
     wished_file: Option<(ViewId, Format)>,
 }

@@ -1,8 +1,7 @@
 //! Drawing that several views share.
 
 use egui::{
-    Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke,
-    TextStyle, Ui, WidgetInfo, vec2,
+    Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, TextStyle, Ui, vec2,
 };
 use egui_plot::{MarkerShape, PlotUi};
 
@@ -10,7 +9,7 @@ use crate::analysis::Channel;
 use crate::analysis::half_difference::Spherical;
 use crate::ui::format;
 use crate::ui::session::{Curves, Session};
-use crate::ui::theme::{self, Dash, HANDLE_RADIUS, Palette};
+use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::views::Cursor;
 
 /// Scrolling by this many points zooms by a factor e to this times them.
@@ -187,32 +186,6 @@ pub fn centred_note(ui: &mut Ui, text: &str) {
         egui::Layout::centered_and_justified(egui::Direction::TopDown),
         |ui| ui.label(text),
     );
-}
-
-/// A round handle that can be dragged, with its name for tests and screen readers.
-#[must_use]
-pub fn handle(
-    ui: &Ui,
-    position: Pos2,
-    id: Id,
-    name: &'static str,
-    color: Color32,
-    palette: &Palette,
-) -> Response {
-    let grip = Rect::from_center_size(position, egui::Vec2::splat(2.0 * HANDLE_RADIUS + 16.0));
-    let response = ui
-        .interact(grip, id, Sense::drag())
-        .on_hover_cursor(egui::CursorIcon::Grab);
-    response.widget_info(|| WidgetInfo::labeled(Role::GraphicsObject, ui.is_enabled(), name));
-    let is_active = response.hovered() || response.dragged();
-    let radius = if is_active {
-        HANDLE_RADIUS + 2.0
-    } else {
-        HANDLE_RADIUS
-    };
-    ui.painter()
-        .circle(position, radius, color, (2.0, palette.background));
-    response
 }
 
 /// The angles of a direction pointed at; and of which material, where there are several.

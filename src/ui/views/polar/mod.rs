@@ -1,6 +1,6 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
-use egui::{Ui, vec2};
+use egui::{IdSalt, Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
 use glam::DVec3;
 
@@ -9,8 +9,8 @@ use crate::analysis::polar;
 use crate::ui::export::table;
 use crate::ui::session::{MaterialEntry, Session, wrapped_deg};
 use crate::ui::theme::Dash;
-use crate::ui::widgets::draw;
 use crate::ui::widgets::legend::{self, Sample};
+use crate::ui::widgets::{draw, handle, reset};
 use canvas::{Canvas, Plotted};
 use radial::{Radial, at};
 
@@ -33,6 +33,8 @@ const SIDE_ROOM: f64 = 0.4;
 const TOP_ROOM: f64 = 0.27;
 /// Below the horizon, where nothing is drawn but the labels of the scale.
 const LOWER_ROOM: f64 = 0.16;
+/// How far the plot's part of the plane may be from what it is at first, as a share of its width, by rounding to pixels alone.
+const WINDOW_SLACK: f64 = 0.005;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
 /// A delta whose azimuth is within this of the section is drawn in it.
@@ -46,7 +48,10 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let radial = Radial::of(cx.session, sections, has_deltas);
     let has_lower = cx.state.shows_lower_half(cx.session);
     let window = window(ui.available_size(), has_lower);
-    let plot = Plot::new(("polar", has_lower, ui.available_size().round().to_string()))
+    let salt = ("polar", has_lower, ui.available_size().round().to_string());
+    let id = ui.make_persistent_id(IdSalt::new(&salt));
+    let plot = Plot::new(salt)
+        .id(id)
         .data_aspect(1.0)
         .show_axes(false)
         .show_grid(false)
@@ -98,6 +103,18 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     if !response.response.hovered() {
         mark_cursor(ui, cx, &transform);
     }
+    let is_moved = !is_near(transform.bounds(), &window);
+    reset::of_plot(ui, id, *transform.frame(), is_moved);
+}
+
+/// Whether the plot shows `window`, but for what the rounding of its frame to pixels makes of it.
+fn is_near(bounds: &PlotBounds, window: &PlotBounds) -> bool {
+    let ends = |bounds: &PlotBounds| [bounds.min(), bounds.max()];
+    let slack = WINDOW_SLACK * window.width();
+    let pairs = ends(bounds).into_iter().zip(ends(window));
+    pairs
+        .flat_map(|(one, other)| one.into_iter().zip(other))
+        .all(|(one, other)| (one - other).abs() <= slack)
 }
 
 /// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
@@ -187,16 +204,12 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bo
     let angle = polar::signed_angle(cx.session.held(), azimuth);
     let [x, y] = at(1.0, angle);
     let tip = transform.position_from_point(&PlotPoint::new(x, y));
-    let handle = draw::handle(
-        ui,
-        tip,
-        ui.scope_id().with("held"),
-        "Held direction in the polar plot",
-        cx.palette.held(cx.session.hold),
-        cx.palette,
-    );
-    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
-        let place = transform.value_from_position(pointer);
+    let name = "Held direction in the polar plot";
+    let named = (ui.scope_id().with("held"), name, *transform.frame());
+    let color = cx.palette.held(cx.session.hold);
+    let handle = handle::show(ui, tip, named, color, cx.palette);
+    if let Some(place) = handle.dragged_to() {
+        let place = transform.value_from_position(place);
         let dragged_to = place.x.atan2(place.y);
         if cx.session.section_holds_held() {
             cx.session.set_held(polar::direction(dragged_to, azimuth));
@@ -209,7 +222,7 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bo
         }
         ui.ctx().request_repaint();
     }
-    handle.dragged()
+    handle.is_dragged()
 }
 
 /// The direction and value under the pointer.

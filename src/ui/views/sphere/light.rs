@@ -7,7 +7,7 @@ use super::super::ViewContext;
 use super::position;
 use crate::analysis::sphere;
 use crate::bxdf::math::frame;
-use crate::ui::widgets::{draw, pictures};
+use crate::ui::widgets::{handle, pictures};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.
 const BEHIND: f64 = 0.3;
@@ -26,19 +26,12 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
     };
     let at = position(rect, [reach * cos, reach * sin]);
     let id = ui.scope_id().with("light of the sphere");
-    let handle = draw::handle(
-        ui,
-        at,
-        id,
-        "Light of the sphere",
-        cx.palette.light,
-        cx.palette,
-    );
-    let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) else {
+    let named = (id, "Light of the sphere", ui.clip_rect());
+    let handle = handle::show(ui, at, named, cx.palette.light, cx.palette);
+    let Some(place) = handle.dragged_to() else {
         return;
     };
-    let [x, y] =
-        pictures::share_of(rect, pointer).map(|share| (2.0 * share - 1.0) / sphere::RADIUS);
+    let [x, y] = pictures::share_of(rect, place).map(|share| (2.0 * share - 1.0) / sphere::RADIUS);
     let radius = x.hypot(y);
     let theta_deg = if radius <= 1.0 {
         frame::theta(DVec3::new(

@@ -201,12 +201,9 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
     let ids: Vec<EntryId> = ids
         .filter(|id| !is_difference || *id != reference)
         .collect();
-    let mut is_clipped = false;
-    for (index, (cell, entry)) in pictures::cells(room, ids.len(), 1.0)
-        .into_iter()
-        .zip(&ids)
-        .enumerate()
-    {
+    let (mut is_clipped, mut first) = (false, None);
+    let cells = pictures::cells(room, ids.len(), 1.0);
+    for (cell, entry) in cells.into_iter().zip(&ids) {
         let rect = cell.picture.shrink(MARGIN * cell.picture.width());
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
         if let Some(texture) = texture(ui, cx, *entry, rect.width(), is_difference) {
@@ -223,9 +220,11 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
             *entry,
             &name,
         );
-        if index == 0 {
-            light::drag(ui, cx, rect);
-        }
+        first = first.or(Some(rect));
+    }
+    // Above all spheres: its grip may reach into the next one.
+    if let Some(rect) = first {
+        light::drag(ui, cx, rect);
     }
     is_clipped
 }

@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
-use egui::{Align2, Pos2, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, IdSalt, Pos2, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use egui_plot::{
-    AxisHints, FilledArea, HLine, Line, Plot, PlotPoint, PlotPoints, PlotTransform, PlotUi, Points,
-    VLine,
+    AxisHints, FilledArea, HLine, Line, Plot, PlotMemory, PlotPoint, PlotPoints, PlotTransform,
+    PlotUi, Points, VLine,
 };
 
-use super::{choice, draw};
+use super::{choice, draw, reset};
 use crate::ui::format;
 use crate::ui::theme::{self, Palette};
 pub use axis::Axis;
@@ -93,7 +93,10 @@ impl Chart {
         // The last number below stands half beside the plot.
         let room = vec2(ui.available_width() - END_ROOM, height);
         let ([x_low, x_high], [y_low, y_high]) = (self.x.ends(), self.y.ends());
-        let plot = Plot::new(("chart", &self.name, self.y.is_logarithmic, &self.x.name))
+        let salt = ("chart", &self.name, self.y.is_logarithmic, &self.x.name);
+        let id = ui.make_persistent_id(IdSalt::new(salt));
+        let plot = Plot::new(salt)
+            .id(id)
             .width(room.x)
             .height(room.y)
             .custom_x_axes(vec![self.x.hints(AxisHints::new_x())])
@@ -128,6 +131,9 @@ impl Chart {
             draw::zoom_by_scrolling(plot_ui);
             self.draw(plot_ui);
         });
+        let memory = PlotMemory::load(ui.ctx(), id);
+        let is_moved = memory.is_some_and(|memory| !memory.auto_bounds.all());
+        reset::of_plot(ui, id, *shown.transform.frame(), is_moved);
         let response = shown.response;
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &self.name));
         let shown = Shown {
