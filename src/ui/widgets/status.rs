@@ -49,5 +49,5 @@ fn show_progress(ui: &mut Ui, progress: Progress) {
     });
     let mark = ui.weak("✔").on_hover_text(format!("Up to date{took}"));
     ui.ctx()
-        .accesskit_node_builder(mark.id, |node| node.set_label("Up to date"));
+        .accesskit_node_builder(mark.id, |node| node.set_value("Up to date"));
 }
