@@ -80,9 +80,12 @@ impl Picker {
         ctx.memory(|memory| memory.has_focus(field_id()))
     }
 
-    /// Shows all entries again.
+    /// Shows all entries again, of the list in which the selected material stands.
     pub fn clear_search(&mut self) {
-        self.search.clear();
+        if !self.search.is_empty() {
+            self.search.clear();
+            self.beside = None;
+        }
         self.highlight.restart();
     }
 
@@ -129,10 +132,6 @@ impl Picker {
         }
         if !entry.is_origin_of(&materials.selected().material) {
             self.replace(materials.selected_mut(), entry);
-        }
-        if entered.is_some() {
-            // No pointer is there to keep the list still for.
-            self.scrolled_to = "";
         }
         Ok(())
     }
@@ -256,7 +255,10 @@ impl Picker {
                 .small_button("Cancel")
                 .on_hover_text("Add nothing (Escape)");
             let is_escaped = ui.input(|input| input.key_pressed(Key::Escape));
-            self.is_adding &= !cancel.clicked() && !is_escaped;
+            if cancel.clicked() || is_escaped {
+                self.is_adding = false;
+                self.clear_search();
+            }
         });
     }
 
