@@ -12,6 +12,7 @@ mod interaction;
 mod list;
 mod materials;
 mod overlay;
+mod picker;
 mod render;
 mod screenshots;
 mod tiles;
