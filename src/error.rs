@@ -100,7 +100,14 @@ impl Error {
 /// How many near names an error proposes.
 const MAX_PROPOSALS: usize = 3;
 
+/// The longest name that is held against known ones, in bytes: what is longer is near none of them, and comparing takes time
+/// in proportion to it for each.
+const LONGEST_NAME: usize = 128;
+
 fn nearest<'a>(id: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    if id.len() > LONGEST_NAME {
+        return Vec::new();
+    }
     let wanted = id.to_lowercase();
     let mut scored: Vec<(f64, &str)> = known
         .into_iter()
@@ -144,5 +151,16 @@ mod tests {
                 .contains("nearest: rough_conductor")
         );
         assert!(!line.contains('\n'));
+    }
+
+    #[test]
+    fn what_is_too_long_for_a_name_is_compared_with_none() {
+        let known = ["phong"; 200];
+        let start = std::time::Instant::now();
+        // Whole texts come here where one was pasted: compared with each name, this one takes minutes.
+        let text = "phong".repeat(4 << 20);
+        let line = Error::unknown("material", &text, known).to_string();
+        assert!(line.ends_with("nothing is known by such a name"));
+        assert!(start.elapsed().as_secs() < 10);
     }
 }

@@ -23,6 +23,7 @@ pub mod analysis;
 pub mod bxdf;
 pub mod cli;
 pub mod error;
+pub mod files;
 pub mod lab;
 #[cfg(feature = "gui")]
 pub mod ui;

@@ -9,6 +9,7 @@ use crate::bxdf::Material;
 use crate::bxdf::material::{self, library};
 use crate::bxdf::math::Real;
 use crate::error::{Error, Result};
+use crate::files;
 
 /// The word that stands for standard input or output.
 pub(super) const STANDARD_STREAM: &str = "-";
@@ -51,7 +52,7 @@ pub(super) fn material(text: &str) -> Result<Given> {
         .extension()
         .is_some_and(|extension| extension == "toml")
     {
-        let file = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
+        let file = files::text_at(path)?;
         return Ok(Given {
             material: material::file::parse(&file, text)?,
             text: text.to_owned(),

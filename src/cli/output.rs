@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::args::is_standard_stream;
 use crate::error::{Error, Result};
+use crate::files;
 
 /// How standard output is called in messages.
 const STANDARD_OUTPUT: &str = "standard output";
@@ -69,13 +70,7 @@ impl Output {
             }
             Err(_) => path.to_owned(),
         };
-        let name = target
-            .file_name()
-            .ok_or_else(|| failed(io::ErrorKind::InvalidFilename.into()))?;
-        let mut hidden = std::ffi::OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{}.partial", std::process::id()));
-        let temporary = target.with_file_name(hidden);
+        let temporary = files::temporary_beside(&target).map_err(failed)?;
         let stream = File::create(&temporary).map_err(failed)?;
         Ok(Self {
             stream: Box::new(stream),

@@ -171,7 +171,7 @@ fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
     let mut session = match &request.session {
         None => Session::default(),
         Some(path) => {
-            let text = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
+            let text = crate::files::text_at(path)?;
             Session::from_toml(&text, &path.display().to_string())?
         }
     };
