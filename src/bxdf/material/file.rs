@@ -28,6 +28,9 @@ use crate::error::{Error, Result};
 /// The keys that describe a material and do not change it, in the order in which they are printed.
 const DESCRIPTIONS: [&str; 3] = ["name", "note", "source"];
 
+/// The most bytes of a description: some pages. They are laid out whole, and one of many megabytes stops the screen.
+pub(crate) const MAX_DESCRIPTION: usize = 1 << 14;
+
 /// The key of a lobe's factor.
 const WEIGHT: &str = "weight";
 
@@ -119,9 +122,16 @@ pub fn parse(text: &str, place: &str) -> Result<Material> {
         return Err(reader.error(key.span(), problem));
     }
     let describe = |key| {
-        table
-            .get_key_value(key)
-            .map_or_else(|| Ok(String::new()), |entry| reader.string(entry))
+        let Some(entry) = table.get_key_value(key) else {
+            return Ok(String::new());
+        };
+        let text = reader.string(entry)?;
+        if text.len() > MAX_DESCRIPTION {
+            let length = text.len();
+            let problem = format!("{key} is {length} bytes long; the limit is {MAX_DESCRIPTION}");
+            return Err(reader.error(entry.1.span(), problem));
+        }
+        Ok(text)
     };
     let [name, note, source] = DESCRIPTIONS.map(describe);
     let (span, components) = match table.get("lobes") {
@@ -272,6 +282,10 @@ mod tests {
                 "line 1: name is not in quotes",
             ),
             (&two.repeat(5), "line 1: 10 lobes; allowed are 1 to 8"),
+            (
+                &format!("note = \"{}\"\n{two}", "long ".repeat(1 << 12)),
+                "line 1: note is 20480 bytes long; the limit is 16384",
+            ),
         ] {
             let line = parse(text, "m.toml").unwrap_err().to_string();
             assert!(line.contains(expected) && !line.contains('\n'), "{line}");
