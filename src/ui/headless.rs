@@ -38,11 +38,19 @@ impl Picture {
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
     pub fn png(self) -> Result<Vec<u8>> {
+        encoded(&self.image()?)
+    }
+
+    /// Draws the picture.
+    ///
+    /// # Errors
+    /// [`Error::Platform`] without a graphics adapter, or where it fails.
+    pub fn image(self) -> Result<image::RgbaImage> {
         let failed = |problem: String| Error::Platform {
             problem: format!("the picture cannot be drawn: {problem}"),
             remedy: "a smaller --size or --scale may do".to_owned(),
         };
-        encoded(&self.harness()?.render().map_err(failed)?)
+        self.harness()?.render().map_err(failed)
     }
 
     /// The running application behind the picture, settled, on a machine that need not be able to draw: what it paints is

@@ -8,6 +8,7 @@ mod export;
 mod files;
 mod history;
 mod interaction;
+mod keeping;
 mod list;
 mod materials;
 mod overlay;

@@ -1,5 +1,7 @@
 //! The window: panels around the views.
 
+use std::sync::{Arc, Mutex};
+
 use egui::{Align, CentralPanel, Context, Event, Key, Layout, Panel, RichText, ScrollArea, Ui};
 
 use super::commands::Command;
@@ -8,23 +10,28 @@ use super::history::History;
 use super::jobs::Clock;
 use super::session::{SHARES, Session};
 use super::theme::{self, Palette};
-use super::tiles::ViewTiles;
+use super::tiles::{ViewTiles, Wish};
 use super::views::{Cursor, ViewContext, ViewSpec, ViewState};
 use super::widgets::components::Components;
 use super::widgets::materials::MaterialList;
 use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
+use super::widgets::saved::Saved;
 use super::widgets::search::{Outcome, Search};
 use super::widgets::{badges, directions, help, layouts, options, status};
 use super::{commands, scene3d};
 use crate::analysis::Detail;
+use crate::error::Error;
 use crate::lab::timing::Stopwatch;
 use export::Exports;
 use files::Files;
+use reading::Readings;
 
+mod asking;
 mod export;
 mod files;
+mod reading;
 
 /// Keys that change the value of a control a little at a time.
 const MOVING_OR_TYPING: [Key; 6] = [
@@ -50,8 +57,11 @@ pub struct App {
     components: Components,
     list: MaterialList,
     notice: Notice,
+    saved: Option<Saved>,
     files: Option<Files>,
+    readings: Readings,
     exports: Exports,
+    exit_problem: Arc<Mutex<Option<Error>>>,
     search: Option<Search>,
     is_help_shown: bool,
     tiles: Option<ViewTiles>,
@@ -74,6 +84,7 @@ impl App {
         }
         // Without a clock nothing is timed: pictures and tests need no frames to wait for.
         let picker = Picker::new(clock.is_none());
+        let readings = Readings::new(clock.is_some());
         let ctx = cc.egui_ctx.clone();
         Self {
             history: History::new(&session),
@@ -86,8 +97,11 @@ impl App {
             components: Components::default(),
             list: MaterialList::default(),
             notice: Notice::default(),
+            saved: None,
             files: None,
+            readings,
             exports: Exports::default(),
+            exit_problem: Arc::default(),
             search: None,
             is_help_shown: false,
             tiles: None,
@@ -241,6 +255,7 @@ impl App {
 
     /// The windows above all else: the help, and the search of the commands.
     fn show_windows(&mut self, ctx: &Context) {
+        self.show_path_field(ctx);
         if self.is_help_shown {
             self.is_help_shown = help::show(ctx);
         }
@@ -261,8 +276,11 @@ impl App {
         });
         self.tiles = Some(tiles);
         self.session.layout = layout;
-        if let Some((view, format)) = wished.or_else(|| self.state.take_wished_file()) {
-            self.ask_export(view, format);
+        let asked = self.state.take_wished_file();
+        match wished.or_else(|| asked.map(|(view, format)| (view, Wish::Export(format)))) {
+            Some((view, Wish::Export(format))) => self.ask_export(view, format),
+            Some((view, Wish::CopyPicture)) => self.copy_picture(view, ui.ctx()),
+            None => {}
         }
     }
 }
@@ -305,6 +323,10 @@ impl eframe::App for App {
             );
         });
         self.notice.show(ui);
+        self.show_reading(ui);
+        if self.saved.as_mut().is_some_and(|saved| !saved.show(ui)) {
+            self.saved = None;
+        }
         Panel::left("side")
             .resizable(false)
             .exact_size(theme::SIDE_WIDTH)
@@ -315,10 +337,12 @@ impl eframe::App for App {
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
         self.show_windows(ui.ctx());
+        self.refuse_what_does_not_fit();
         self.history
             .record(&self.session, control_at_work(ui.ctx()));
         self.keep(ui.ctx());
-        if self.cursor != before {
+        // Panels are drawn before the views: what was said since is shown by the next frame.
+        if self.cursor != before || self.notice.is_new() {
             ui.ctx().request_repaint();
         }
     }

@@ -15,6 +15,7 @@ mod file;
 mod layout;
 mod materials;
 mod questions;
+mod size;
 mod stored;
 mod text;
 mod ties;
@@ -25,7 +26,7 @@ pub use file::VERSION;
 pub use layout::{Layout, Part, READY_LAYOUTS, ReadyLayout, ViewId};
 pub use materials::{MAX_MATERIALS, Materials};
 pub use questions::{SAMPLE_COUNTS_LOG2, SHARES};
-pub use text::{MAX_TEXT, Opened, pasted, read};
+pub use text::{Opened, pasted, read};
 pub use ties::WIDTHS;
 pub use view_options::{
     Arrangement, CartesianOptions, Decomposed, DecompositionOptions, ErrorUnit, HemisphereOptions,

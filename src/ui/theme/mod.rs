@@ -47,6 +47,8 @@ pub const HELP_SIZE: Vec2 = Vec2::new(560.0, 560.0);
 pub const HELP_MARGIN: f32 = 80.0;
 /// The width of the column of keys in the help, in points.
 pub const HELP_KEYS_WIDTH: f32 = 200.0;
+/// The width of the field for a path, in points.
+pub const PATH_WIDTH: f32 = 560.0;
 /// The width of the search of the commands and the height of its list, in points.
 pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
 /// The height of a row of a legend, in points.
