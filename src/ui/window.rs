@@ -31,7 +31,11 @@ pub fn run() -> Result<()> {
         options,
         Box::new(|cc| {
             let mut app = App::new(cc, Session::default(), None, Some(platform::seconds));
-            app.work_on(&cc.egui_ctx, Store::platform(), Box::new(Native::default()));
+            app.work_on(
+                &cc.egui_ctx,
+                Store::platform().in_threads(),
+                Box::new(Native::default()),
+            );
             *exit_problem_of = app.exit_problem();
             Ok(Box::new(app))
         }),

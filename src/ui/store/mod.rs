@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::platform;
 use super::session::{Opened, Session};
 use crate::error::Result;
 #[cfg(doc)]
@@ -83,6 +84,13 @@ impl Store {
         let folders = directories::ProjectDirs::from("", "", "brdf-explorer");
         let folder = folders.map(|folders| folders.data_dir().to_owned());
         Self::new(Arc::new(Disk), folder)
+    }
+
+    /// Keeps the session in a thread from now on: a disk that is busy does not stop the window.
+    #[must_use]
+    pub fn in_threads(mut self) -> Self {
+        self.own.is_threaded = platform::has_threads();
+        self
     }
 
     /// The session of the last run, or the one before it where that cannot be read, or `start`; with what there is to say of

@@ -3,9 +3,11 @@
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, TryRecvError};
 
 use super::place::{Places, backup};
 use crate::error::{Error, Result};
+use crate::ui::platform;
 use crate::ui::session::{Opened, Session};
 
 /// How long an edit may stay unsaved, in seconds: what a crash costs at most.
@@ -13,6 +15,9 @@ pub(super) const DELAY: f64 = 1.0;
 
 /// After how many seconds a failure is followed by another try, and after how many at most: the wait doubles.
 const RETRIES: [f64; 2] = [2.0, 60.0];
+
+/// How often it is looked whether the session is written, in seconds.
+const POLL: f64 = 0.1;
 
 /// The most windows that keep a session each.
 const MOST_WINDOWS: u32 = 9;
@@ -55,6 +60,15 @@ pub(super) struct Own {
     /// When the session was first seen to differ from it, in the time of the window.
     changed_at: Option<f64>,
     failure: Option<Failure>,
+    writing: Option<Writing>,
+    /// Whether it is written by a thread: a disk that is busy takes seconds to have it.
+    pub(super) is_threaded: bool,
+}
+
+/// A session that is being written.
+struct Writing {
+    session: Session,
+    answer: Receiver<Result<Option<PathBuf>>>,
 }
 
 /// The file of the session, which no other window has.
@@ -162,6 +176,9 @@ impl Own {
         session: &Session,
         now: f64,
     ) -> Keeping {
+        if let Some(keeping) = self.take_written(now) {
+            return keeping;
+        }
         if self.kept.as_ref() == Some(session) {
             self.changed_at = None;
             let news = self.failure.take().map(|_| News::Recovered);
@@ -176,8 +193,56 @@ impl Own {
                 news: None,
             };
         }
-        match self.keep_now(places, folder, session) {
+        let Some(path) = self.claim(places, folder).map(|place| place.path.clone()) else {
+            return Keeping::default();
+        };
+        let (places, folder, kept) = (places.clone(), folder.to_owned(), session.clone());
+        let write = move || write(&places, &folder, &path, &kept);
+        if !self.is_threaded {
+            return self.written(session.clone(), write(), now);
+        }
+        let (sender, answer) = mpsc::channel();
+        // Nobody listens where the program ends meanwhile.
+        if platform::spawn(move || drop(sender.send(write()))) {
+            self.writing = Some(Writing {
+                session: session.clone(),
+                answer,
+            });
+        }
+        Keeping {
+            again: Some(POLL),
+            news: None,
+        }
+    }
+
+    /// Takes what has become of the writing that was begun; `None` where none was.
+    fn take_written(&mut self, now: f64) -> Option<Keeping> {
+        let writing = self.writing.take()?;
+        let written = match writing.answer.try_recv() {
+            Ok(written) => written,
+            Err(TryRecvError::Empty) => {
+                self.writing = Some(writing);
+                return Some(Keeping {
+                    again: Some(POLL),
+                    news: None,
+                });
+            }
+            Err(TryRecvError::Disconnected) => return None,
+        };
+        let keeping = self.written(writing.session, written, now);
+        // The session may be another one by now.
+        Some(Keeping {
+            again: keeping.again.or(Some(0.0)),
+            ..keeping
+        })
+    }
+
+    /// Takes note of what has become of writing `session`.
+    fn written(&mut self, session: Session, written: Result<Option<PathBuf>>, now: f64) -> Keeping {
+        match written {
             Ok(aside) => {
+                self.kept = Some(session);
+                self.changed_at = None;
                 let recovered = self.failure.take().map(|_| News::Recovered);
                 Keeping {
                     again: None,
@@ -212,6 +277,12 @@ impl Own {
         folder: &Path,
         session: &Session,
     ) -> Result<Option<PathBuf>> {
+        // One that is being written comes to its end first.
+        if let Some(Writing { session, answer }) = self.writing.take()
+            && let Ok(Ok(_)) = answer.recv()
+        {
+            self.kept = Some(session);
+        }
         if self.kept.as_ref() == Some(session) {
             return Ok(None);
         }
@@ -219,13 +290,23 @@ impl Own {
             return Ok(None);
         };
         let path = place.path.clone();
-        let made = places.files.make_folder(folder);
-        made.map_err(|error| Error::io(folder, error))?;
-        let aside = places.replace(&path, session)?;
+        let aside = write(places, folder, &path, session)?;
         self.kept = Some(session.clone());
         self.changed_at = None;
         Ok(aside)
     }
+}
+
+/// Writes `session` to the file at `path` in `folder`. Returns the name of what was set aside.
+fn write(
+    places: &Places,
+    folder: &Path,
+    path: &Path,
+    session: &Session,
+) -> Result<Option<PathBuf>> {
+    let made = places.files.make_folder(folder);
+    made.map_err(|error| Error::io(folder, error))?;
+    places.replace(path, session)
 }
 
 /// The name of a file, to be said.

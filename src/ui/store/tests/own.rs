@@ -214,3 +214,34 @@ fn room_that_comes_before_the_end_is_used_at_the_end() {
     drop(store);
     assert_eq!(folder.restored().0, Some(session(20.0)));
 }
+
+#[test]
+fn a_thread_keeps_the_session_and_its_failures_are_said_and_tried_again() {
+    let folder = Folder::new("threads");
+    let files = Failing::after(0, false);
+    let store = Store::new(Arc::new(files.clone()), Some(folder.0.clone()));
+    let mut store = store.in_threads();
+    store.restore(fresh());
+    // Until there is news; the clock stands still meanwhile.
+    let news = |store: &mut Store, now: f64| loop {
+        let keeping = store.keep(&session(20.0), now);
+        if keeping.news.is_some() {
+            break keeping;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    };
+    store.keep(&session(20.0), 0.0);
+    let failed = news(&mut store, 1.0);
+    assert!(matches!(failed.news, Some(News::Failed(_))));
+    files.works.store(9, Ordering::SeqCst);
+    let kept = news(&mut store, 1.0 + failed.again.unwrap());
+    assert!(matches!(kept.news, Some(News::Recovered)));
+    // What is being written at the end comes to its end first.
+    store.keep(&session(30.0), 20.0);
+    store.keep(&session(30.0), 21.0);
+    store.keep_now(&session(40.0)).unwrap();
+    drop(store);
+    assert_eq!(folder.restored().0, Some(session(40.0)));
+    fs::remove_file(folder.file(LAST_SESSION)).unwrap();
+    assert_eq!(folder.restored().0, Some(session(30.0)));
+}
