@@ -2,10 +2,11 @@
 //! which name a file is written until it is complete.
 
 use std::ffi::OsString;
-use std::io::{self, Read};
+use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use crate::encoding;
 use crate::error::{Error, Result};
 
 /// The most text that is read or written as one, in bytes: a session, a material, what is pasted. Room for some ten of the
@@ -47,12 +48,17 @@ pub fn text_at(path: &Path) -> Result<String> {
     read_text(file, path)
 }
 
-/// `bytes` as text; `place` names them in errors.
+/// `bytes`, in UTF-8 or UTF-16, as text; `place` names them in errors.
 ///
 /// # Errors
 /// [`Error::Parse`] where they are none.
 pub fn text_of(bytes: Vec<u8>, place: &Path) -> Result<String> {
-    String::from_utf8(bytes).map_err(|_| {
+    let decode = || {
+        let mut text = String::new();
+        encoding::utf8(Cursor::new(bytes))?.read_to_string(&mut text)?;
+        Ok(text)
+    };
+    decode().map_err(|_: io::Error| {
         let place = place.display().to_string();
         Error::parse(place, "no text: neither a session nor a material")
     })

@@ -22,6 +22,7 @@
 pub mod analysis;
 pub mod bxdf;
 pub mod cli;
+mod encoding;
 pub mod error;
 pub mod files;
 pub mod lab;

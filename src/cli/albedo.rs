@@ -19,20 +19,19 @@ const TOLERANCE: f64 = 1e-9;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(value_parser = args::material)]
+    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(value_parser = args::material())]
     material: Given,
     /// The polar angles of incidence in degrees, 0 to 180
     #[arg(
         long,
         value_parser = args::polar_angle,
         value_delimiter = ',',
-        default_value = "0,30,60,85",
-        allow_hyphen_values = true
+        default_value = "0,30,60,85"
     )]
     theta: Vec<f64>,
     /// The azimuth of incidence in degrees
-    #[arg(long, value_parser = args::azimuth, default_value = "0", allow_hyphen_values = true)]
+    #[arg(long, value_parser = args::azimuth, default_value = "0")]
     phi: f64,
     /// Print JSON
     #[arg(long)]

@@ -14,8 +14,8 @@ use crate::lab::stability::{Extent, Extreme, examine_all, examine_material, tabl
 #[derive(clap::Args)]
 #[expect(clippy::struct_excessive_bools, reason = "flags of the command line")]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(value_parser = args::material, required_unless_present = "all", conflicts_with = "all")]
+    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(value_parser = args::material(), required_unless_present = "all", conflicts_with = "all")]
     material: Option<Given>,
     /// Check every model over a sweep of its parameters
     #[arg(long)]

@@ -1,13 +1,13 @@
 //! `eval`: f and pdf for rows of directions.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 use xprec::Df64;
 
 use super::args::{self, Given, PrecisionName, STANDARD_STREAM};
-use super::input::{COLUMNS, Row, Rows};
+use super::input::{self, COLUMNS, Row, Rows};
 use super::output::Table;
-use super::say;
 use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::math::Real;
 use crate::bxdf::{Bxdf, Precision};
@@ -21,13 +21,13 @@ const ROWS: usize = 1024;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(value_parser = args::material)]
+    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(value_parser = args::material())]
     material: Given,
     /// The precision of the arithmetic: f32, f64 or reference
     #[arg(long, value_parser = args::precision, default_value = <f64 as Real>::NAME)]
     precision: PrecisionName,
-    /// The rows to read, with columns wo_x,wo_y,wo_z,wi_x,wi_y,wi_z; - is standard input
+    /// The rows to read, with columns wo_x,wo_y,wo_z,wi_x,wi_y,wi_z, separated by commas, semicolons or tabs; - is standard input
     #[arg(long = "in", value_name = "FILE", default_value = STANDARD_STREAM)]
     input: PathBuf,
     /// The file to write; - is standard output
@@ -59,12 +59,7 @@ fn evaluate<R: Precision>(arguments: &Arguments) -> Result<()> {
     }
     chunk.write(&*bxdf, &mut table)?;
     table.finish()?;
-    if normalised > 0 {
-        let rows = if normalised == 1 { "row" } else { "rows" };
-        say(&format!(
-            "{normalised} {rows} with directions that are not of unit length, normalised"
-        ));
-    }
+    input::say_normalised(normalised, ["row", "rows"]);
     Ok(())
 }
 
@@ -87,7 +82,7 @@ impl<R: Real> Default for Chunk<R> {
 
 impl<R: Real> Chunk<R> {
     fn push(&mut self, row: &Row<'_>) {
-        self.texts.push(row.texts.map(str::to_owned));
+        self.texts.push(row.texts.clone().map(Cow::into_owned));
         for (axes, w) in [(&mut self.wo, row.wo), (&mut self.wi, row.wi)] {
             for (axis, x) in axes.iter_mut().zip(w.to_array()) {
                 axis.push(R::of(x).store());

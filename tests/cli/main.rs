@@ -10,6 +10,11 @@ mod albedo;
 mod bench;
 mod check;
 mod eval;
+mod files;
+#[cfg(unix)]
+mod interrupts;
+#[cfg(feature = "gui")]
+mod pictures;
 mod sample;
 mod tradeoff;
 
