@@ -6,7 +6,7 @@ use xprec::Df64;
 
 use super::args::{self, Angles, Given, PrecisionName, STANDARD_STREAM};
 use super::output::Table;
-use crate::analysis::sampling::{CHUNK, Draw, Draws};
+use crate::analysis::sampling::{CHUNK, Draw, Draws, FIRST_SEED};
 use crate::bxdf::Precision;
 use crate::bxdf::math::Real;
 use crate::bxdf::math::frame::direction_from_degrees;
@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     #[arg(short, value_name = "N", value_parser = sample_count)]
     n: u64,
     /// The seed of the random numbers; the sampling view draws the same ones
-    #[arg(long, value_parser = seed, default_value = "0")]
+    #[arg(long, value_parser = seed, default_value_t = FIRST_SEED.into())]
     seed: u64,
     /// The precision of the arithmetic: f32, f64 or reference
     #[arg(long, value_parser = args::precision, default_value = <f64 as Real>::NAME)]

@@ -8,6 +8,9 @@ use crate::bxdf::math::{Real, Vec3};
 /// Draws that are made together: enough for a batch, few enough to be given up in time.
 pub const CHUNK: usize = 2048;
 
+/// The seed where none is chosen.
+pub const FIRST_SEED: u32 = 0;
+
 /// Random numbers that a draw takes.
 const NUMBERS: u128 = 3;
 

@@ -14,7 +14,7 @@ use super::scale::RadialScale;
 use super::{Detail, HeldLobe, IsWanted, Question, Subject};
 use crate::bxdf::optics::spectrum::luminance;
 
-pub use draws::{CHUNK, Draw, Draws};
+pub use draws::{CHUNK, Draw, Draws, FIRST_SEED};
 pub use estimator::Estimator;
 pub use histogram::{Cell, Histogram, WeightBin, WeightHistogram};
 pub use warp::{Warp, WarpRequest};
