@@ -108,6 +108,6 @@ mod signals {
             .unwrap_or(0);
         ENDING
             .into_iter()
-            .filter(move |signal| ignored >> (signal - 1) & 1 == 0)
+            .filter(move |signal| (ignored >> (signal - 1)) & 1 == 0)
     }
 }

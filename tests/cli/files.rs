@@ -245,7 +245,7 @@ fn a_negative_number_is_answered_as_a_number() {
         ),
         (
             &["check", "--all", "--points", "-1"],
-            "error: invalid value '-1' for '--points <N>': invalid digit found in string",
+            "error: '-1': expected a whole number",
         ),
         (
             &["albedo", "phong", "--theta", "-1"],

@@ -11,7 +11,7 @@ mod bench;
 mod check;
 mod eval;
 mod files;
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 mod interrupts;
 #[cfg(feature = "gui")]
 mod pictures;
