@@ -12,7 +12,7 @@ use crate::analysis::isotropy;
 use crate::analysis::reflectance::{LobeShare, MAX_EVALUATIONS, Reflectance, by_kind, lobe_shares};
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::frame::direction_from_degrees;
-use crate::error::Result;
+use crate::error::{Result, line};
 
 /// The absolute error asked of the quadrature: a few digits beyond those printed, at no wait for any model.
 const TOLERANCE: f64 = 1e-9;
@@ -119,7 +119,8 @@ fn shares(lobes: &[LobeShare]) -> Shares {
 fn listing(report: &Report) -> String {
     let mut text = format!(
         "{}, light arriving at azimuth {} degrees\n",
-        report.material, report.phi
+        line(&report.material),
+        report.phi
     );
     text.push_str("Shares of the flux, red green blue\n\n");
     // Writing to a string cannot fail.

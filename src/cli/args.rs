@@ -228,6 +228,12 @@ pub(super) fn azimuth(text: &str) -> Result<f64> {
     })
 }
 
+/// Reads a number of things.
+pub(super) fn count(text: &str) -> Result<u64> {
+    let number = text.trim().parse();
+    number.map_err(|_| Error::parse(format!("'{}'", shown(text)), "expected a whole number"))
+}
+
 /// The finite number that `text` stands for.
 pub(super) fn finite(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite())

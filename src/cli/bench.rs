@@ -10,7 +10,7 @@ use super::{check, input, output};
 use crate::bxdf::math::Real;
 use crate::bxdf::models::MODELS;
 use crate::bxdf::{Material, Precision, Side, batch};
-use crate::error::{Error, Result, shown};
+use crate::error::{self, Error, Result, shown};
 use crate::files;
 use crate::lab::speed::{Mode, Operation, PAIRS, Pairs, Row, measure};
 
@@ -233,7 +233,7 @@ impl Report {
             let _ = write!(
                 text,
                 "{:<40} {:<4} {operation:<8}",
-                shown(&first.material),
+                error::line(&first.material),
                 first.precision
             );
             for row in modes {

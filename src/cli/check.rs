@@ -24,7 +24,13 @@ pub(super) struct Arguments {
     #[arg(long)]
     extremes: bool,
     /// So many more random points of all models together, in f32 and in f64 alone
-    #[arg(long, value_name = "N", default_value_t = Extent::FULL.crowd, conflicts_with = "material")]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = args::count,
+        default_value_t = Extent::FULL.crowd,
+        conflicts_with = "material"
+    )]
     points: u64,
     /// Print the worst of each model as the table of the documentation
     #[arg(long, conflicts_with_all = ["material", "json"])]

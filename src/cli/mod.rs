@@ -17,7 +17,7 @@ mod output;
 mod partial;
 #[cfg(any(feature = "gui", test))]
 pub mod render;
-#[cfg(all(feature = "gui", unix))]
+#[cfg(all(feature = "gui", unix, not(target_vendor = "apple")))]
 mod restart;
 mod sample;
 mod tradeoff;
@@ -105,7 +105,7 @@ pub fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    #[cfg(all(feature = "gui", unix))]
+    #[cfg(all(feature = "gui", unix, not(target_vendor = "apple")))]
     restart::in_quiet_environment();
     let words: Vec<OsString> = std::env::args_os().collect();
     let outcome = match parse(&words) {

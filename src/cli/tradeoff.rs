@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::args::{self, Given};
 use super::{check, output};
 use crate::bxdf::batch;
-use crate::error::{Error, Result, shown};
+use crate::error::{self, Error, Result, shown};
 use crate::lab::timing::WallClock;
 use crate::lab::tradeoff::table::{COLUMNS, rows};
 use crate::lab::tradeoff::{
@@ -150,7 +150,9 @@ impl Report {
     fn table(&self) -> String {
         let mut text = format!(
             "{}\n{}, {}\n",
-            self.material, self.machine, self.instruction_set
+            error::line(&self.material),
+            self.machine,
+            self.instruction_set
         );
         // Writing to a string cannot fail.
         for family in &self.families {
