@@ -7,13 +7,10 @@ use super::{Bench, CostUnit, Family, Point, Stop, Study};
 use crate::bxdf::batch::Path;
 use crate::bxdf::param::{Kind, Value};
 use crate::bxdf::{Bxdf, Component, Material, Precision};
-use crate::lab::spectral::{Constants, RANGE_NM, rgb_weights};
+use crate::lab::spectral::{Constants, FINEST, RANGE_NM, rgb_weights};
 
 /// How many wavelengths are tried.
 const COUNTS: [usize; 3] = [8, 16, 31];
-
-/// How many stand for all.
-const FINEST: usize = 80;
 
 /// The family.
 pub(super) struct Channels;
