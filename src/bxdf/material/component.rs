@@ -4,11 +4,24 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crate::bxdf::param::{ParamSet, Value};
+use crate::bxdf::param::{ParamSet, ParamSpec, Value};
 use crate::bxdf::spec::{ModelSpec, Precision, StandIn};
 use crate::bxdf::table::Table;
 use crate::bxdf::{Bxdf, models};
 use crate::error::{Error, Result};
+
+/// The factor on all values of a component, as a parameter: files, sessions, sliders and the command line take the range from
+/// here.
+///
+/// A factor beyond 1 gives a faint lobe its due. The largest one keeps what it multiplies, and the sum of as many lobes as a
+/// material may have, far within the numbers of every precision.
+pub static WEIGHT: ParamSpec = ParamSpec::number(
+    "weight",
+    1.0,
+    "Factor on all values of this lobe; weights need not sum to 1",
+)
+.hard(0.0, 1000.0)
+.soft(0.0, 1.0);
 
 /// A model of the catalogue at validated parameters, and the factor with which a material takes it.
 #[derive(Clone)]
@@ -29,7 +42,7 @@ impl Component {
         }
     }
 
-    /// The factor on its value, at least 0; 1 at first.
+    /// The factor on its value, within the range of [`WEIGHT`]; 1 at first.
     #[must_use]
     pub fn weight(&self) -> f64 {
         self.weight
@@ -38,14 +51,14 @@ impl Component {
     /// Sets the factor on its value.
     ///
     /// # Errors
-    /// [`Error::Parameter`] unless it is a finite number and not below 0; the component is then unchanged.
+    /// [`Error::Parameter`] unless it lies in the range of [`WEIGHT`]; the component is then unchanged.
     pub fn set_weight(&mut self, weight: f64) -> Result<()> {
-        if !(weight >= 0.0 && weight.is_finite()) {
+        if !WEIGHT.allows(Value::Number(weight)) {
             return Err(Error::Parameter {
                 model: self.model.id.to_owned(),
-                name: "weight".to_owned(),
+                name: WEIGHT.name.to_owned(),
                 value: weight.to_string(),
-                allowed: "allowed is a number not below 0".to_owned(),
+                allowed: WEIGHT.allowed(),
             });
         }
         self.weight = weight;

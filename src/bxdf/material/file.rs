@@ -20,16 +20,13 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Component, Material};
+use super::{Component, Material, WEIGHT};
 use crate::bxdf::param;
 use crate::bxdf::param::Kind;
 use crate::error::{Error, Result};
 
 /// The keys that describe a material and do not change it, in the order in which they are printed.
 const DESCRIPTIONS: [&str; 3] = ["name", "note", "source"];
-
-/// The key of a lobe's factor.
-const WEIGHT: &str = "weight";
 
 /// A table, its key or its value in the text.
 type Entry<'a> = (
@@ -77,7 +74,7 @@ impl Reader<'_> {
                 self.error(value.span(), problem)
             })?;
             let at = |error: Error| self.error(key.span(), error.to_string());
-            if name == WEIGHT {
+            if name == WEIGHT.name {
                 component
                     .set_weight(word.parse().unwrap_or(f64::NAN))
                     .map_err(at)?;
@@ -101,7 +98,7 @@ impl Reader<'_> {
 /// Reads a material from TOML `text`; `place` (the file) is named in errors, with the line.
 ///
 /// # Errors
-/// [`Error::Parse`] for a syntax error, an unknown key, model, parameter or choice, a value out of range, a weight below 0,
+/// [`Error::Parse`] for a syntax error, an unknown key, model, parameter or choice, a value or weight out of range,
 /// and what [`Material::new`] refuses.
 pub fn parse(text: &str, place: &str) -> Result<Material> {
     let reader = Reader { text, place };
@@ -188,7 +185,7 @@ fn lobe_table(component: &Component) -> toml::Value {
     let mut table = toml::Table::new();
     table.insert("model".to_owned(), component.model().id.into());
     if component.weight() != 1.0 {
-        table.insert(WEIGHT.to_owned(), component.weight().into());
+        table.insert(WEIGHT.name.to_owned(), component.weight().into());
     }
     for (spec, value) in component.params().iter() {
         if value != spec.default {
@@ -253,7 +250,15 @@ mod tests {
             ),
             (
                 &format!("{two}weight = -0.5"),
-                "m.toml: line 6: oren_nayar: weight = -0.5: allowed is a number not below 0",
+                "m.toml: line 6: oren_nayar: weight = -0.5: allowed is a number from 0 to 1000",
+            ),
+            (
+                &format!("{two}weight = 4e38"),
+                "m.toml: line 6: oren_nayar: weight = 4",
+            ),
+            (
+                &format!("{two}weight = inf"),
+                "weight = inf: allowed is a number from 0 to 1000",
             ),
             (
                 &format!("{two}sigma = {{ a = 1 }}"),

@@ -5,21 +5,13 @@ use std::collections::BTreeSet;
 use egui::{ComboBox, DragValue, Response, Slider, Ui, accesskit};
 
 use crate::bxdf::Component;
+use crate::bxdf::material::WEIGHT;
 use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
 use crate::ui::session::WIDTHS;
 use crate::ui::theme;
 
 /// The names of the channels.
 const CHANNELS: [&str; 3] = ["R", "G", "B"];
-
-/// The weight, as a parameter among the others.
-static WEIGHT: ParamSpec = ParamSpec::number(
-    "weight",
-    1.0,
-    "Factor on all values of this lobe; weights need not sum to 1",
-)
-.hard(0.0, 10.0)
-.soft(0.0, 1.0);
 
 /// What ties parameters together, changed by the buttons beside them.
 pub struct Ties<'a> {
