@@ -4,11 +4,12 @@ use std::path::Path;
 
 use xprec::Df64;
 
-use super::{energy, say};
+use super::say;
 use crate::bxdf::Material;
 use crate::bxdf::material::{self, library};
 use crate::bxdf::math::Real;
 use crate::error::{Error, Result};
+use crate::lab::contract::check_energy;
 
 /// The word that stands for standard input or output.
 pub(super) const STANDARD_STREAM: &str = "-";
@@ -27,12 +28,16 @@ pub(super) struct Given {
 }
 
 impl Given {
-    /// The material. Where it is a file of several lobes that create energy, one line on standard error says so.
+    /// The material. Where it is a file whose lobes create energy, one line on standard error says so.
     pub(super) fn checked(&self) -> &Material {
         if self.is_file
-            && let Some(excess) = energy::created(&self.material)
+            && let Some(report) = check_energy(&self.material)
+            && let Some(sentence) = report.sentence()
         {
-            say(&format!("warning: {} creates energy: {excess}", self.text));
+            say(&format!(
+                "warning: {} creates energy: {sentence}",
+                self.text
+            ));
         }
         &self.material
     }

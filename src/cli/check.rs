@@ -183,14 +183,19 @@ impl Report {
         );
         for model in &self.models {
             for law in &model.laws {
-                let (id, status) = (law.law.id(), law.status.id());
+                let id = law.law.id();
+                // A law that has nothing to compare in a material says nothing of it.
+                let status = if law.n == 0 { "-" } else { law.status.id() };
                 let _ = writeln!(
                     text,
                     "{:<26} {id:<14} {status:<12} {:>10.2e} {:>10.2e} {:>9}",
                     model.id, law.worst, law.error, law.n
                 );
-                if !law.status.is_pass() {
+                if !law.status.is_pass() || !law.reason.is_empty() {
                     let _ = writeln!(text, "    {} at {}", law.law.measure(), law.witness);
+                }
+                if let Some(sentence) = law.sentence().filter(|_| !law.reason.is_empty()) {
+                    let _ = writeln!(text, "    {sentence}");
                 }
             }
         }

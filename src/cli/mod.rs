@@ -7,7 +7,6 @@ mod albedo;
 mod args;
 mod bench;
 mod check;
-mod energy;
 mod eval;
 #[cfg(feature = "gui")]
 mod export;

@@ -142,6 +142,15 @@ impl Subject {
         all.map(|(((r, g), b), pdf)| [r, g, b, pdf]).collect()
     }
 
+    /// `material`: its model where that is all, else all its components together.
+    #[must_use]
+    pub fn at(material: &Material) -> Self {
+        material.only().map_or_else(
+            || Self::of_material(material),
+            |only| Self::new(only.model(), only.params()),
+        )
+    }
+
     /// `material`, all its components together.
     #[must_use]
     pub fn of_material(material: &Material) -> Self {

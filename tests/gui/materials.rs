@@ -150,9 +150,13 @@ fn lobes_are_added_weighed_and_removed() {
     add_lobe(&mut harness, PHONG);
     assert_eq!(
         shown(&harness).to_string(),
-        "lambertian_reflection + 0.25 * phong"
+        "lambertian_reflection + 0.2 * phong"
     );
+    // There is no more room beside a reflectance of 0.8, and it is said.
+    let said = "Phong starts with weight 0.2: with more, more light would leave than arrives";
+    assert!(harness.query_by_label(said).is_some());
     slide(&mut harness, "Weight of lobe 2", 0.5);
+    assert!(harness.query_by_label(said).is_none());
     assert_eq!(shown(&harness).components()[1].weight(), 0.5);
     // Its parameters fold away.
     assert!(

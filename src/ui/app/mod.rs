@@ -149,9 +149,10 @@ impl App {
             };
             ui.push_id(before.id(), |ui| {
                 let title = materials.title(&before);
-                let clicked = badges::show(ui, &title, &before, &mut self.data, palette);
+                let material = &mut edited.material;
+                let clicked = badges::show(ui, &title, &before, material, &mut self.data, palette);
                 wished = clicked.or(wished.take());
-                self.components.show(ui, &mut edited.material, &mut ties);
+                self.components.show(ui, material, &mut ties);
             });
             if edited != before {
                 *materials.selected_mut() = edited;
