@@ -221,8 +221,10 @@ mod tests {
         let [rgb, eight, sixteen, many] = &points[..] else {
             panic!("{points:?}");
         };
-        // The colour of gold is known to be off where three wavelengths stand for the spectrum, visibly (above 1).
-        assert!(rgb.delta_e.unwrap() > 1.0, "{rgb:?}");
+        // Three colours follow the spectrum but for the red of gold, which lies outside sRGB by 4 %. With n and k read at three
+        // wavelengths they were 7 % off, and plain to see: a difference of 6.
+        assert!(rgb.error_rms < 0.04, "{rgb:?}");
+        assert!(rgb.delta_e.unwrap() < 3.0, "{rgb:?}");
         assert!(eight.error_rms < rgb.error_rms, "{eight:?}");
         assert!(sixteen.error_rms < eight.error_rms, "{sixteen:?}");
         assert!(
