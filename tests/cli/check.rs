@@ -138,7 +138,7 @@ fn a_check_says_where_and_why_a_law_is_broken() {
     assert_eq!(output.status.code(), Some(1));
     let text = super::stdout(&output);
     for expected in [
-        "energy         violated         5.00e-1",
+        "energy         violated        5.00e-1",
         "share of the flux created at 3 * lambertian_reflection:reflectance=0.5 wi (",
         "50 % more leaves than arrives, because its weight is 3",
         "limits         -",
