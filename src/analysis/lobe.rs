@@ -44,6 +44,10 @@ pub struct Arrow {
     pub direction: DVec3,
     /// The share of the flux arriving along the held direction that leaves along `direction`, per channel.
     pub flux: [f64; 3],
+    /// What a sample of it weighs if it is the only one: radiance along the held direction over that along `direction`.
+    pub weight: [f64; 3],
+    /// The probability with which [`Bxdf::sample_f`] chooses it for the held direction in wo's place.
+    pub probability: f64,
     /// To which side it goes.
     pub side: Side,
 }
@@ -155,16 +159,19 @@ impl<'a> HeldLobe<'a> {
         }
     }
 
-    /// The Dirac deltas, by the flux they carry.
+    /// The Dirac deltas, by the flux they carry; those that carry nothing are none.
     #[must_use]
     pub fn arrows(&self) -> Vec<Arrow> {
         let deltas = self.bxdf.deltas(self.held.into());
         let arrow = |delta: crate::bxdf::Delta<f64>| Arrow {
             direction: delta.direction.into(),
             flux: delta.flux.to_f64(),
+            weight: delta.weight.to_f64(),
+            probability: delta.probability,
             side: delta.side,
         };
-        deltas.into_iter().flatten().map(arrow).collect()
+        let arrows = deltas.into_iter().flatten().map(arrow);
+        arrows.filter(|arrow| arrow.flux != [0.0; 3]).collect()
     }
 
     /// The inner lobes of the surface; see [`Bxdf::lobes`].

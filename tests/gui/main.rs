@@ -4,6 +4,7 @@
 
 mod badges;
 mod commands;
+mod deltas;
 mod drawing;
 mod export;
 mod files;

@@ -16,7 +16,7 @@ use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::math::frame::direction_from_degrees;
 
 use dome::Dome;
-pub use pair::{Normal, normal_of, pair_at};
+pub use pair::{Normal, glint, normal_of, pair_at};
 use scene::{Frame, Scene};
 
 /// What the sphere is lit by.

@@ -11,11 +11,11 @@ use super::export::{Format, table};
 use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Materials, Session, ViewId};
 use super::theme::{Dash, Palette};
-use super::widgets::chart::Mark;
+use super::widgets::chart::{self, Axis, Mark};
 use super::widgets::pictures::{ColorScale, Textures};
-use super::widgets::{choice, draw};
+use super::widgets::{choice, deltas as widgets_deltas, draw};
 use crate::analysis::hemisphere::Map;
-use crate::analysis::{HeldLobe, Hold, polar as section};
+use crate::analysis::{HeldLobe, Hold, deltas, polar as section};
 use crate::error::{Error, Result};
 use crate::lab::contract::Witness;
 use crate::lab::stability::map as stability_map;
@@ -169,13 +169,42 @@ fn section_marks(session: &Session, palette: &Palette) -> Vec<Mark> {
     ]
 }
 
+/// A delta in a chart over the free direction's angle; `outside` says where one is that lies elsewhere.
+fn chart_stem(stem: &deltas::Stem, of: &str, color: egui::Color32, outside: &str) -> chart::Stem {
+    let share = stem.share();
+    let place = if stem.is_inside { "" } else { outside };
+    chart::Stem {
+        name: format!("{}{place}", widgets_deltas::label(share)),
+        of: of.to_owned(),
+        at: stem.x_deg,
+        share,
+        color,
+        dash: if stem.is_inside {
+            Dash::Solid
+        } else {
+            Dash::Dashed
+        },
+    }
+}
+
+/// What is said of deltas that a section does not hold.
+const OUTSIDE_SECTION: &str = ", outside this section";
+
+/// The axis upwards where all light is in deltas: their shares.
+fn share_axis(shares: impl Iterator<Item = f64>) -> Axis {
+    let (least, largest) = shares.fold((0.0_f64, 1.0_f64), |(low, high), share| {
+        (low.min(share), high.max(share))
+    });
+    Axis::of_values("share of the flux", [least, largest], None)
+}
+
 /// Why no view has anything to show.
 fn nothing_to_show(session: &Session) -> Option<&'static str> {
     let is_hidden = session.materials.shown().next().is_none();
     is_hidden.then_some("Every material is hidden")
 }
 
-/// Why a view of values has nothing to show, though there are materials.
+/// Why an export of values has nothing, though there are materials.
 pub(super) fn no_values(session: &Session) -> Option<&'static str> {
     let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
     let is_empty = session.materials.shown().all(is_delta);

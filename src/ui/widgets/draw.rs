@@ -60,7 +60,8 @@ pub fn haloed_text(
 }
 
 /// `rect` moved by as little as possible to lie inside `bounds`.
-fn inside(rect: Rect, bounds: Rect) -> Rect {
+#[must_use]
+pub fn inside(rect: Rect, bounds: Rect) -> Rect {
     let low = (bounds.min - rect.min).max(egui::Vec2::ZERO);
     let high = (bounds.max - rect.max).min(egui::Vec2::ZERO);
     rect.translate(low + high)
@@ -73,10 +74,10 @@ pub fn clipped(text: &str, most: usize) -> String {
     if start == text { start } else { start + "…" }
 }
 
-/// `rect`, or the same a line or two above or below, where none of `taken` stands; it is taken then.
+/// `rect`, or the same up to four lines above or below, where none of `taken` stands; it is taken then.
 pub fn free_place(taken: &mut Vec<Rect>, rect: Rect) -> Rect {
     let is_free = |place: &Rect| taken.iter().all(|other| !other.intersects(*place));
-    let place = [0.0, -1.0, 1.0, -2.0, 2.0]
+    let place = [0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0, -4.0, 4.0]
         .map(|lines| rect.translate(vec2(0.0, lines * rect.height())))
         .into_iter()
         .find(is_free)
@@ -143,21 +144,6 @@ pub fn marker(painter: &Painter, rect: Rect, shape: MarkerShape, color: Color32)
 pub fn swatch(ui: &mut Ui, color: Color32) {
     let (rect, _) = ui.allocate_exact_size(theme::SWATCH, Sense::hover());
     ui.painter().rect_filled(rect, 2.0, color);
-}
-
-/// A thick arrow with a filled head, which is no longer than the arrow.
-pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
-    const HEAD: f32 = 13.0;
-    const WIDTH: f32 = 3.5;
-    let along = (to - from).normalized();
-    let head = HEAD.min((to - from).length());
-    let (base, across) = (to - along * head, along.rot90() * 0.42 * head);
-    painter.line_segment([from, base], (WIDTH, color));
-    painter.add(Shape::convex_polygon(
-        vec![to, base + across, base - across],
-        color,
-        Stroke::NONE,
-    ));
 }
 
 /// A note beside the pointer.

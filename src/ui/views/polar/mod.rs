@@ -2,12 +2,11 @@
 
 use egui::{Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
-use glam::DVec3;
 
 use super::{Cursor, ViewContext, ViewSpec};
-use crate::analysis::polar;
+use crate::analysis::{deltas, polar};
 use crate::ui::export::table;
-use crate::ui::session::{MaterialEntry, Session, wrapped_deg};
+use crate::ui::session::{MaterialEntry, wrapped_deg};
 use crate::ui::theme::Dash;
 use crate::ui::widgets::draw;
 use crate::ui::widgets::legend::{self, Sample};
@@ -35,13 +34,11 @@ const TOP_ROOM: f64 = 0.27;
 const LOWER_ROOM: f64 = 0.16;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
-/// A delta whose azimuth is within this of the section is drawn in it.
-const IN_PLANE: f64 = 0.02;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     let plotted = plotted(cx);
-    let has_deltas = plotted.iter().any(|one| !one.arrows.is_empty());
+    let has_deltas = plotted.iter().any(|one| !one.section.stems.is_empty());
     let sections = plotted.iter().map(|one| &*one.section);
     let radial = Radial::of(cx.session, sections, has_deltas);
     let has_lower = cx.state.shows_lower_half(cx.session);
@@ -83,7 +80,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     canvas.name_curves(cx.session, &palette);
     let mut taken = Vec::new();
     for one in &plotted {
-        canvas.draw_arrows(cx.session, one, &mut taken, &palette);
+        canvas.draw_arrows(one, &mut taken, &palette);
     }
     if let Some(note) = note(cx, &plotted) {
         canvas.note(note, &palette);
@@ -109,7 +106,7 @@ fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, transform: &PlotTransform) {
     let angle = polar::signed_angle(cursor.direction, azimuth);
     let ends = [[0.0, 0.0], at(1.0, angle)]
         .map(|[x, y]| transform.position_from_point(&PlotPoint::new(x, y)));
-    let dash = if is_in_section(cx.session, cursor.direction) {
+    let dash = if deltas::is_in_section(cursor.direction, azimuth) {
         Dash::Solid
     } else {
         Dash::Dashed
@@ -121,17 +118,10 @@ fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, transform: &PlotTransform) {
 fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let selected = session.materials.selected().id();
-    let plot = |entry: &MaterialEntry| {
-        let all = data.arrows(session, entry);
-        let in_section = all
-            .iter()
-            .filter(|arrow| is_in_section(session, arrow.direction));
-        Plotted {
-            slot: entry.slot(),
-            is_selected: entry.id() == selected,
-            section: data.ask(session, entry, session.section_request()),
-            arrows: in_section.copied().collect(),
-        }
+    let plot = |entry: &MaterialEntry| Plotted {
+        slot: entry.slot(),
+        is_selected: entry.id() == selected,
+        section: data.ask(session, entry, session.section_request()),
     };
     let mut plotted: Vec<Plotted> = session.materials.shown().map(plot).collect();
     plotted.sort_by_key(|one| one.is_selected);
@@ -139,21 +129,19 @@ fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
 }
 
 /// Why there is less to see than one might expect.
-fn note(cx: &mut ViewContext<'_>, plotted: &[Plotted]) -> Option<&'static str> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
-    let is_empty = plotted.iter().all(|one| {
-        one.section.upper.is_empty() && one.section.lower.is_empty() && one.arrows.is_empty()
-    });
-    let mut shown = session.materials.shown();
+fn note(cx: &ViewContext<'_>, plotted: &[Plotted]) -> Option<&'static str> {
+    let session = &*cx.session;
+    let is_empty = |one: &Plotted| one.section.upper.is_empty() && one.section.lower.is_empty();
+    let mut stems = plotted.iter().flat_map(|one| &one.section.stems);
+    let is_empty = plotted.iter().all(is_empty) && stems.clone().next().is_none();
+    let has_outside = stems.any(|stem| !stem.is_inside);
     if plotted.is_empty() {
         Some("Every material is hidden")
     } else if session.held().z == 0.0 {
         Some("In the surface plane a direction carries no light")
-    } else if is_empty && shown.any(|entry| !data.arrows(session, entry).is_empty()) {
-        Some("The deltas lie outside this section")
     } else if is_empty {
         Some("No light leaves: total internal reflection, or all is absorbed")
-    } else if !session.section_holds_held() {
+    } else if has_outside || !session.section_holds_held() {
         Some("Dashed: outside this section, drawn at its θ")
     } else if session.curves != session.shown_curves() {
         Some("Luminance: R, G and B are drawn where one material is shown")
@@ -174,11 +162,6 @@ fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
         [-half_width, middle - half_height],
         [half_width, middle + half_height],
     )
-}
-
-fn is_in_section(session: &Session, w: DVec3) -> bool {
-    let (sin, cos) = session.section_azimuth_deg().to_radians().sin_cos();
-    (w.y * cos - w.x * sin).abs() < IN_PLANE
 }
 
 /// The handle of the held direction. Returns whether it is being dragged.

@@ -1,16 +1,48 @@
 //! The handle of the light that the sphere stands in.
 
-use egui::{Rect, Ui};
+use egui::{Align2, Rect, Ui};
 use glam::DVec3;
 
 use super::super::ViewContext;
 use super::position;
-use crate::analysis::sphere;
+use crate::analysis::sphere::{self, Light};
+use crate::analysis::{Channel, Subject};
 use crate::bxdf::math::frame;
-use crate::ui::widgets::{draw, pictures};
+use crate::ui::session::EntryId;
+use crate::ui::widgets::{deltas, draw, pictures};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.
 const BEHIND: f64 = 0.3;
+
+/// Where a mirror shows the light itself: a delta, too small to be seen, with a ring about it.
+pub(super) fn mark_glint(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    (strip, rect): (Rect, Rect),
+    light: DVec3,
+    entry: EntryId,
+) {
+    let session = &*cx.session;
+    // The other lights are wide enough to be seen.
+    let is_point = session.views.sphere.light == Light::Directional;
+    let Some(found) = session.materials.get(entry).filter(|_| is_point) else {
+        return;
+    };
+    let glint = |subject: &Subject<'_>| sphere::glint(&subject.lobe, light);
+    let Some((place, flux)) = cx.data.with_subject(session, found, glint) else {
+        return;
+    };
+    let painter = ui.painter_at(strip);
+    let (at, color) = (position(rect, place), cx.palette.material(found.slot()));
+    if strip.contains(at) {
+        deltas::ring(&painter, at, (color, cx.palette), true);
+        let beside = at + egui::vec2(deltas::BESIDE_RING, 0.0);
+        let place = (beside, Align2::LEFT_CENTER);
+        let text = deltas::label(Channel::Luminance.of(flux));
+        let look = (cx.palette.ink, cx.palette);
+        deltas::write(ui, &painter, &mut Vec::new(), place, &text, look);
+    }
+}
 
 /// The handle of the light: on the sphere where it faces the light, outside of it where the light stands behind.
 pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {

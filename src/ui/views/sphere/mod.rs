@@ -63,7 +63,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
     let note = if options.light == Light::Directional && cx.session.materials.shown().any(is_delta)
     {
-        Some("A mirror shows nothing of light from one direction: choose the sky")
+        Some("A mirror shows light from one direction at the ringed point alone: choose the sky")
     } else if is_clipped && !is_difference {
         Some("Channels are clipped where it is brightest: lower the exposure to see them")
     } else {
@@ -293,6 +293,7 @@ fn interact_strip(
         return;
     }
     let light = request.to_light();
+    light::mark_glint(ui, cx, (strip, rect), light, entry);
     let Some(pointer) = response.hover_pos() else {
         mark_pair(ui, cx, rect, light);
         return;

@@ -8,14 +8,15 @@ use egui_plot::{
     VLine,
 };
 
-use super::{choice, draw};
+use super::{choice, deltas, draw};
 use crate::ui::format;
 use crate::ui::theme::{self, Palette};
 pub use axis::Axis;
-pub use series::{Band, Dots, Mark, Series, style};
+pub use series::{Band, Dots, Mark, Series, Stem, style};
 
 mod axis;
 mod series;
+mod stems;
 
 /// Room at the right of a plot for half a number, and the least height of one, in points.
 const END_ROOM: f32 = 12.0;
@@ -36,6 +37,8 @@ pub struct Chart {
     pub bands: Vec<Band>,
     /// Single values, over the curves.
     pub dots: Vec<Dots>,
+    /// Dirac deltas, over the curves: their heights are shares of the flux, whatever the axis upwards measures.
+    pub stems: Vec<Stem>,
     /// Lines at an x.
     pub marks: Vec<Mark>,
     /// Lines at a y.
@@ -63,6 +66,7 @@ impl Chart {
             series,
             bands: Vec::new(),
             dots: Vec::new(),
+            stems: Vec::new(),
             marks: Vec::new(),
             levels: Vec::new(),
             has_names: false,
@@ -77,6 +81,9 @@ impl Chart {
         }
         for mark in self.marks.iter_mut().chain(&mut self.levels) {
             mark.name.clear();
+        }
+        for stem in &mut self.stems {
+            stem.name.clear();
         }
     }
 
@@ -134,7 +141,8 @@ impl Chart {
             response,
             transform: shown.transform,
         };
-        self.name_marks(ui, &shown, palette);
+        let mut taken = self.name_marks(ui, &shown, palette);
+        self.draw_stems(ui, &shown, &mut taken, palette);
         shown
     }
 
@@ -214,8 +222,8 @@ impl Chart {
         });
     }
 
-    /// The names of the marks at the top, of the levels at the right.
-    fn name_marks(&self, ui: &Ui, shown: &Shown, palette: &Palette) {
+    /// The names of the marks at the top, of the levels at the right. Returns where they stand.
+    fn name_marks(&self, ui: &Ui, shown: &Shown, palette: &Palette) -> Vec<Rect> {
         let frame = shown.frame();
         let painter = ui.painter_at(frame);
         let mut taken: Vec<Rect> = Vec::new();
@@ -258,6 +266,7 @@ impl Chart {
                 );
             }
         }
+        taken
     }
 
     /// The x and y under the pointer, in the units of the axes.
@@ -318,6 +327,9 @@ impl Chart {
                 // Writing to a string cannot fail.
                 let _ = write!(text, "\n{}  {}", series.name, format::value(y));
             }
+        }
+        for stem in self.stems_near(shown, x) {
+            let _ = write!(text, "\n{}  {}", stem.of, deltas::label(stem.share));
         }
         if let Some(pointer) = shown.response.hover_pos() {
             draw::pointer_note(ui, pointer, shown.frame(), &text, palette);
