@@ -15,6 +15,7 @@ mod materials;
 mod overlay;
 mod render;
 mod screenshots;
+mod tables;
 mod tiles;
 mod views;
 mod workers;

@@ -30,6 +30,9 @@ const MAP_SIZE: usize = 256;
 /// The sizes of pictures of spheres, in pixels: the smallest that fills its place is computed.
 const SPHERE_SIZES: [usize; 3] = [128, 256, 512];
 
+/// Cells of a grid of random numbers, along either side.
+const WARP_CELLS: usize = 16;
+
 /// The powers of 2 that can be chosen as the number of samples.
 pub const SAMPLE_COUNTS_LOG2: std::ops::RangeInclusive<u8> = 6..=16;
 
@@ -140,6 +143,12 @@ impl Session {
             seed: u64::from(options.seed),
             phi: self.section_phi(),
         }
+    }
+
+    /// How the sampling bends a grid of random numbers.
+    #[must_use]
+    pub fn warp_request(&self) -> sampling::WarpRequest {
+        sampling::WarpRequest { cells: WARP_CELLS }
     }
 
     /// The decomposition in the section.
