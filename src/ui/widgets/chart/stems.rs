@@ -12,6 +12,9 @@ const TICKS: [f64; 2] = [0.5, 1.0];
 /// Between stems that would hide one another, in points.
 const BESIDE: f32 = 6.0;
 
+/// A stem at the end of the axis stands this far inside, in points.
+const EDGE: f32 = 3.0;
+
 /// How near the pointer reads a stem out, in points.
 const REACH: f32 = 6.0;
 
@@ -71,35 +74,47 @@ impl Chart {
                 draw::haloed_text(&painter, at, anchor, &text, font, color, palette);
             }
         }
-        let mut columns: Vec<f32> = Vec::new();
+        // Where each was wanted, and where it stands.
+        let mut columns: Vec<[f32; 2]> = Vec::new();
         let mut labels = Vec::new();
         for stem in &self.stems {
             let [foot, tip] = self.ends_of(shown, stem.at, stem.share);
             if !frame.x_range().expand(1.0).contains(foot.x) {
                 continue;
             }
-            // Labels stand on the side with more room; stems that would hide one another step aside to the other one.
-            let is_left = tip.x > frame.center().x;
-            let aside = if is_left { BESIDE } else { -BESIDE };
-            let is_taken = |x: f32| columns.iter().any(|other| (other - x).abs() < 0.7 * BESIDE);
-            let mut steps = (0..self.stems.len()).map(|step| foot.x + aside * step as f32);
-            let x = steps.find(|x| !is_taken(*x)).unwrap_or(foot.x);
-            columns.push(x);
+            // Labels stand on the side with more room; stems that would hide one another step aside to it.
+            let side = if tip.x > frame.center().x { -1.0 } else { 1.0 };
+            let wanted = foot.x.clamp(frame.left() + EDGE, frame.right() - EDGE);
+            let is_taken = |x: f32| {
+                columns
+                    .iter()
+                    .any(|[_, other]| (other - x).abs() < 0.7 * BESIDE)
+            };
+            let mut steps = (0..self.stems.len()).map(|step| wanted + side * BESIDE * step as f32);
+            let x = steps.find(|x| !is_taken(*x)).unwrap_or(wanted);
+            columns.push([wanted, x]);
             let ends = [Pos2::new(x, foot.y), Pos2::new(x, tip.y)];
             deltas::stem(&painter, ends, stem.color, stem.dash);
-            labels.push((stem, tip, is_left));
+            labels.push((stem, Pos2::new(wanted, tip.y), side));
         }
-        for (stem, tip, is_left) in labels {
+        for (stem, tip, side) in labels {
             if stem.name.is_empty() {
                 continue;
             }
-            let (anchor, aside) = if is_left {
-                (Align2::RIGHT_CENTER, -8.0)
+            // Beside all stems that were wanted in this place.
+            let group = columns
+                .iter()
+                .filter(|[wanted, _]| (wanted - tip.x).abs() < BESIDE);
+            let farthest = group
+                .map(|[_, x]| side * x)
+                .fold(f32::NEG_INFINITY, f32::max);
+            let anchor = if side < 0.0 {
+                Align2::RIGHT_CENTER
             } else {
-                (Align2::LEFT_CENTER, 8.0)
+                Align2::LEFT_CENTER
             };
             let down = if stem.share < 0.0 { -6.0 } else { 6.0 };
-            let place = tip + vec2(aside, down);
+            let place = Pos2::new(side * farthest + 8.0 * side, tip.y + down);
             let look = (stem.color, palette);
             deltas::write(ui, &painter, taken, (place, anchor), &stem.name, look);
         }
