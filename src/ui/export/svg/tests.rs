@@ -18,7 +18,7 @@ fn drawn_in(clip: Rect, shape: Shape) -> String {
         shape,
     };
     let picture = Arc::new(ColorImage::new([2, 2], vec![RED, BLUE, BLUE, RED]));
-    let image_of = |id| (id == TextureId::User(7)).then(|| Arc::clone(&picture));
+    let image_of = |id: TextureId| (id == TextureId::User(7)).then(|| Arc::clone(&picture));
     let size = vec2(100.0, 100.0);
     let drawing = drawing(&[clipped], size, Color32::WHITE, &image_of).unwrap();
     let inner = drawing.lines().skip(2);
