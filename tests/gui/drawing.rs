@@ -40,12 +40,16 @@ struct Piece {
 }
 
 fn hex(color: Color32) -> String {
-    let [r, g, b, alpha] = color.to_srgba_unmultiplied();
-    if alpha == 0 {
-        String::new()
-    } else {
-        format!("#{r:02x}{g:02x}{b:02x}")
+    if color == Color32::TRANSPARENT {
+        return String::new();
     }
+    let [r, g, b, _] = if color.is_additive() {
+        // Grey is all that is added to a background here.
+        [255; 4]
+    } else {
+        color.to_srgba_unmultiplied()
+    };
+    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 fn stroke_of(stroke: Stroke) -> String {

@@ -61,8 +61,17 @@ pub(super) fn turned(angle: f32, pivot: Pos2) -> String {
     )
 }
 
+/// A colour as an attribute. One that is added to what lies under it, as egui tints rows of tables, is a veil of its hue:
+/// the format has no adding.
 pub(super) fn paint(what: &str, color: Color32) -> String {
-    let [r, g, b, alpha] = color.to_srgba_unmultiplied();
+    let [r, g, b, alpha] = match color.to_array() {
+        [r, g, b, 0] => {
+            let most = r.max(g).max(b);
+            let scaled = |x: u8| (f32::from(x) * 255.0 / f32::from(most.max(1))).round() as u8;
+            [scaled(r), scaled(g), scaled(b), most]
+        }
+        _ => color.to_srgba_unmultiplied(),
+    };
     match alpha {
         0 => format!("{what}=\"none\""),
         255 => format!("{what}=\"#{r:02x}{g:02x}{b:02x}\""),

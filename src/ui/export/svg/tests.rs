@@ -103,6 +103,16 @@ fn closed_shapes_have_fill_stroke_turn_and_corners() {
         ..CornerRadius::ZERO
     };
     assert!(drawn(uneven).contains("d=\"M16 21L29 21A0 0"));
+    // What is added to the background, as behind every other row of a table.
+    let veil = drawn(Shape::rect_filled(
+        square(),
+        0.0,
+        Color32::from_additive_luminance(51),
+    ));
+    assert!(
+        veil.contains("fill=\"#ffffff\" fill-opacity=\"0.2\""),
+        "{veil}"
+    );
     assert_eq!(
         drawn(Shape::rect_filled(square(), 0.0, Color32::TRANSPARENT)),
         ""
