@@ -17,7 +17,10 @@ fn main() {
         } else {
             &above
         };
-        let ns = |operation| measure(&material, pairs, operation, Mode::Dispatched).ns;
+        let ns = |operation| {
+            let rows = measure(&material, pairs, operation, &[Mode::Dispatched]);
+            rows.first().map_or(f64::NAN, |row| row.ns)
+        };
         let [f, pdf, sample] = [Operation::F, Operation::Pdf, Operation::SampleF].map(ns);
         println!("{:24} {f:8.2} {pdf:8.2} {sample:8.2}", model.id);
     }

@@ -22,8 +22,11 @@
 pub mod analysis;
 pub mod bxdf;
 pub mod cli;
+mod encoding;
 pub mod error;
+pub mod files;
 pub mod lab;
+pub mod parallel;
 #[cfg(feature = "gui")]
 pub mod ui;
 

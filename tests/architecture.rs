@@ -168,6 +168,17 @@ fn egui_is_named_only_by_the_window() {
     }
 }
 
+/// egui's own fields clamp and alter what is typed: one field of the window's own takes their place.
+#[test]
+fn numbers_are_typed_into_one_kind_of_field() {
+    let is_field = |file: &SourceFile| file.path.starts_with("src/ui/widgets/number/");
+    for file in sources().iter().filter(|file| !is_field(file)) {
+        for word in ["DragValue", "Slider"] {
+            assert!(!file.code().contains(word), "{} names {word}", file.path);
+        }
+    }
+}
+
 #[test]
 fn the_model_core_has_no_files_threads_or_clocks() {
     for file in sources() {

@@ -1,6 +1,7 @@
 //! What a surface's value is made of: its lobes, and the factors of a microfacet model.
 
 use super::cartesian::SECTION_LINES;
+use super::deltas::{self, Stem};
 use super::lobe::{HeldLobe, off_horizon};
 use super::polar::{UNIFORM_STEP_DEG, direction, seed_angles};
 use super::refine::{MIDDLE_AND_BESIDE, first_places, is_on_chord, peaks, refine};
@@ -34,6 +35,8 @@ pub struct Decomposition {
     pub lobes: Vec<Part>,
     /// The factors of a microfacet model; `None` for other surfaces, and where there is no half vector at any angle.
     pub factors: Option<Factors>,
+    /// The lobes that are Dirac deltas, over the same angle: they have no values.
+    pub stems: Vec<Stem>,
 }
 
 /// One lobe's part of the value.
@@ -106,6 +109,7 @@ pub fn decomposition(lobe: &HeldLobe<'_>, request: &Request) -> Decomposition {
         angles_deg: points.iter().map(|(angle, _)| angle.to_degrees()).collect(),
         lobes: parts.collect(),
         factors: has_factors.then_some(factors),
+        stems: deltas::in_section(&lobe.arrows(), request.phi),
     }
 }
 

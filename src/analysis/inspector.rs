@@ -2,7 +2,10 @@
 
 use glam::DVec3;
 
-use crate::bxdf::{Bxdf, Microfacet};
+use super::HeldLobe;
+use super::lobe::Arrow;
+use crate::bxdf::math::frame;
+use crate::bxdf::{Bxdf, Microfacet, Side};
 
 /// What a surface does at a pair of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +34,31 @@ impl Reading {
     }
 }
 
+/// A Dirac delta of the direction held, beside the values of a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeltaReading {
+    /// Where it goes, and its share.
+    pub arrow: Arrow,
+    /// Whether the free direction of the pair is its own.
+    pub is_here: bool,
+}
+
+/// How near the free direction must be to a delta's to be its own, in radians: half a degree, as near as one points.
+const HERE: f64 = 0.5 * std::f64::consts::PI / 180.0;
+
+/// The deltas of `lobe`, the reflected one and the transmitted one, with `free` as the other direction of the pair.
+#[must_use]
+pub fn deltas(lobe: &HeldLobe<'_>, free: DVec3) -> [Option<DeltaReading>; 2] {
+    let arrows = lobe.arrows();
+    [Side::Reflection, Side::Transmission].map(|side| {
+        let arrow = arrows.iter().find(|arrow| arrow.side == side)?;
+        Some(DeltaReading {
+            arrow: *arrow,
+            is_here: frame::angle_between(arrow.direction, free) < HERE,
+        })
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -48,5 +76,22 @@ mod tests {
         assert!((reading.f[1] / product - 1.0).abs() < 1e-13);
         assert!((reading.f_cos[1] / (product * wi.z) - 1.0).abs() < 1e-13);
         assert!(reading.pdf > 0.0);
+    }
+
+    #[test]
+    fn a_delta_is_here_where_one_points_at_it() {
+        let glass: Material = "fresnel_specular".parse().unwrap();
+        let surface = glass.build::<f64>();
+        let held = direction_from_degrees(50.0, 180.0);
+        let lobe = HeldLobe::new(&*surface, crate::analysis::Hold::Light, held);
+        let mirror = direction_from_degrees(50.2, 0.0);
+        let [Some(up), Some(down)] = deltas(&lobe, mirror) else {
+            panic!("two deltas");
+        };
+        assert!(up.is_here && !down.is_here);
+        let [Some(up), Some(down)] = deltas(&lobe, down.arrow.direction) else {
+            panic!("two deltas");
+        };
+        assert!(!up.is_here && down.is_here);
     }
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::chart::Chart;
 use super::quadrature::{Integral, Integrand, race};
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::{Bxdf, Lobe, Side};
 
 /// Which of the two directions is held while the lobe is drawn over the other.
@@ -44,6 +44,10 @@ pub struct Arrow {
     pub direction: DVec3,
     /// The share of the flux arriving along the held direction that leaves along `direction`, per channel.
     pub flux: [f64; 3],
+    /// What a sample of it weighs if it is the only one: radiance along the held direction over that along `direction`.
+    pub weight: [f64; 3],
+    /// The probability with which [`Bxdf::sample_f`] chooses it for the held direction in wo's place.
+    pub probability: f64,
     /// To which side it goes.
     pub side: Side,
 }
@@ -108,38 +112,36 @@ impl<'a> HeldLobe<'a> {
     }
 
     /// f with each direction of `free`: of one lobe alone, or of all.
-    fn each(
-        &self,
-        lobe: Option<usize>,
-        (x, y, z): &(Vec<f64>, Vec<f64>, Vec<f64>),
-    ) -> Vec<[f64; 3]> {
-        let free = [&x[..], y, z];
-        let held = [self.held.x, self.held.y, self.held.z].map(|w| vec![w; x.len()]);
-        let held = held.each_ref().map(Vec::as_slice);
+    fn each(&self, lobe: Option<usize>, free: &Columns<f64, 3>) -> Vec<[f64; 3]> {
+        let held = self.held_columns(free.len());
         let (wo, wi) = match self.hold {
-            Hold::Light => (free, held),
-            Hold::Viewer => (held, free),
+            Hold::Light => (free.slices(), held.slices()),
+            Hold::Viewer => (held.slices(), free.slices()),
         };
-        let mut channels = [(); 3].map(|()| vec![0.0; x.len()]);
-        let f = channels.each_mut().map(Vec::as_mut_slice);
+        let mut values = Columns::filled(0.0, free.len());
+        let f = values.slices_mut();
         let job = match lobe {
             Some(index) => Job::LobeF { index, wo, wi, f },
             None => Job::F { wo, wi, f },
         };
         self.bxdf.batch(Path::Dispatched, job);
-        triples(&channels)
+        values.rows().collect()
+    }
+
+    /// The held direction, once for each of `n` elements of a batch.
+    fn held_columns(&self, n: usize) -> Columns<f64, 3> {
+        Columns::repeated(self.held.to_array(), n)
     }
 
     /// The density in 1/sr with which [`Bxdf::sample_f`] draws each direction of `free` for the held one in wo's place,
     /// whichever is held; its limit from the side `is_upper` at the horizon.
     #[must_use]
     pub fn densities_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<f64> {
-        let (x, y, z) = lifted(free, is_upper);
-        let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; free.len()]);
+        let (held, free) = (self.held_columns(free.len()), lifted(free, is_upper));
         let mut pdf = vec![0.0; free.len()];
         let job = Job::Pdf {
-            wo: held.each_ref().map(Vec::as_slice),
-            wi: [&x, &y, &z],
+            wo: held.slices(),
+            wi: free.slices(),
             pdf: &mut pdf,
         };
         self.bxdf.batch(Path::Dispatched, job);
@@ -155,16 +157,19 @@ impl<'a> HeldLobe<'a> {
         }
     }
 
-    /// The Dirac deltas, by the flux they carry.
+    /// The Dirac deltas, by the flux they carry; those that carry nothing are none.
     #[must_use]
     pub fn arrows(&self) -> Vec<Arrow> {
         let deltas = self.bxdf.deltas(self.held.into());
         let arrow = |delta: crate::bxdf::Delta<f64>| Arrow {
             direction: delta.direction.into(),
             flux: delta.flux.to_f64(),
+            weight: delta.weight.to_f64(),
+            probability: delta.probability,
             side: delta.side,
         };
-        deltas.into_iter().flatten().map(arrow).collect()
+        let arrows = deltas.into_iter().flatten().map(arrow);
+        arrows.filter(|arrow| arrow.flux != [0.0; 3]).collect()
     }
 
     /// The inner lobes of the surface; see [`Bxdf::lobes`].
@@ -178,22 +183,21 @@ impl<'a> HeldLobe<'a> {
     /// The maps are made for a held `wo`; they follow the lobe of a held `wi` as well, whatever their density.
     #[must_use]
     pub fn drawn(&self, index: usize, u: &[[f64; 2]]) -> Drawn {
-        let held = [self.held.x, self.held.y, self.held.z].map(|x| vec![x; u.len()]);
-        let (first, second): (Vec<_>, Vec<_>) = u.iter().map(|[a, b]| (*a, *b)).unzip();
-        let mut free = [(); 3].map(|()| vec![0.0; u.len()]);
-        let mut weight = free.clone();
+        let held = self.held_columns(u.len());
+        let numbers = Columns::from_rows(u.iter().copied());
+        let (mut free, mut weight) = (Columns::filled(0.0, u.len()), Columns::filled(0.0, u.len()));
         let job = Job::Lobe {
             index,
             is_incident: self.hold == Hold::Light,
-            held: held.each_ref().map(Vec::as_slice),
-            u: [&first, &second],
-            free: free.each_mut().map(Vec::as_mut_slice),
-            weight: weight.each_mut().map(Vec::as_mut_slice),
+            held: held.slices(),
+            u: numbers.slices(),
+            free: free.slices_mut(),
+            weight: weight.slices_mut(),
         };
         self.bxdf.batch(Path::Dispatched, job);
         Drawn {
-            directions: triples(&free).into_iter().map(DVec3::from).collect(),
-            weights: triples(&weight),
+            directions: free.rows().map(DVec3::from).collect(),
+            weights: weight.rows().collect(),
         }
     }
 
@@ -276,34 +280,26 @@ pub fn off_horizon(w: DVec3, is_upper: bool) -> DVec3 {
 /// f of `bxdf` in 1/sr at all `pairs` of unit vectors (wo, wi).
 #[must_use]
 pub fn pair_values(bxdf: &dyn Bxdf<f64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
-    let [wo, wi] = [
-        components(pairs.iter().map(|pair| pair.0)),
-        components(pairs.iter().map(|pair| pair.1)),
-    ];
-    let mut channels = [(); 3].map(|()| vec![0.0; pairs.len()]);
+    let wo = components(pairs.iter().map(|pair| pair.0));
+    let wi = components(pairs.iter().map(|pair| pair.1));
+    let mut values = Columns::filled(0.0, pairs.len());
     let job = Job::F {
-        wo: [&wo.0, &wo.1, &wo.2],
-        wi: [&wi.0, &wi.1, &wi.2],
-        f: channels.each_mut().map(Vec::as_mut_slice),
+        wo: wo.slices(),
+        wi: wi.slices(),
+        f: values.slices_mut(),
     };
     bxdf.batch(Path::Dispatched, job);
-    triples(&channels)
+    values.rows().collect()
 }
 
 /// The components of directions, those in the horizon plane lifted off it to the side `is_upper`.
-fn lifted(free: &[DVec3], is_upper: bool) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+fn lifted(free: &[DVec3], is_upper: bool) -> Columns<f64, 3> {
     components(free.iter().map(|w| off_horizon(*w, is_upper)))
 }
 
 /// The components of vectors.
-fn components(vectors: impl Iterator<Item = DVec3>) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
-    vectors.map(|w| (w.x, w.y, w.z)).collect()
-}
-
-/// Three arrays of one length as an array of triples.
-pub(super) fn triples([a, b, c]: &[Vec<f64>; 3]) -> Vec<[f64; 3]> {
-    let all = a.iter().zip(b).zip(c);
-    all.map(|((a, b), c)| [*a, *b, *c]).collect()
+fn components(vectors: impl ExactSizeIterator<Item = DVec3>) -> Columns<f64, 3> {
+    Columns::from_rows(vectors.map(|w| w.to_array()))
 }
 
 /// What [`HeldLobe::seeds`] returns.

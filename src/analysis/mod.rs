@@ -3,6 +3,7 @@
 pub mod cartesian;
 mod chart;
 pub mod decomposition;
+pub mod deltas;
 pub mod half_difference;
 pub mod hemisphere;
 pub mod inspector;

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
+use super::deltas::{self, Stem};
 use super::lobe::HeldLobe;
 use super::refine::{CHORD_TOLERANCE, first_places, refine};
 use super::scale::RadialScale;
@@ -56,6 +57,8 @@ pub struct Section {
     pub lower: Vec<Point>,
     /// The largest value of any channel.
     pub peak: f64,
+    /// The Dirac deltas, over the same angle: they are no values of the arcs.
+    pub stems: Vec<Stem>,
 }
 
 /// The direction at signed angle `angle` of the section at azimuth `phi`, both in radians.
@@ -94,7 +97,13 @@ pub fn section(lobe: &HeldLobe<'_>, request: &Request) -> Section {
         .chain(&lower)
         .map(|point| largest(point.value))
         .fold(0.0, f64::max);
-    Section { upper, lower, peak }
+    let stems = deltas::in_section(&lobe.arrows(), request.phi);
+    Section {
+        upper,
+        lower,
+        peak,
+        stems,
+    }
 }
 
 /// Where the lobe is known to be: the signed angles of its own samples in the section at azimuth `phi`, of the held

@@ -6,6 +6,7 @@
 
 use glam::DVec3;
 
+use super::deltas;
 use super::half_difference::{Spherical, half_difference, pair};
 use super::lobe::pair_values;
 use super::raster::Raster;
@@ -82,6 +83,14 @@ pub fn pair_at(request: &Request, [x, y]: [f64; 2]) -> (DVec3, DVec3) {
         phi_deg: request.phi_d_deg,
     };
     pair(half, difference)
+}
+
+/// The share of the flux that the surface of `subject` mirrors as a Dirac delta at this theta_d, per channel. It stands at
+/// theta_h = 0 and is no value of the slice. `None` where there is none.
+#[must_use]
+pub fn mirrored_at(request: &Request, subject: &Subject<'_>, theta_d_deg: f64) -> Option<[f64; 3]> {
+    let (_, wi) = pair_at(request, [0.0, theta_d_deg / 90.0]);
+    deltas::mirrored(&subject.lobe, wi)
 }
 
 /// The place of a pair in the slice, its azimuths left aside; `None` where the directions are on different sides of the

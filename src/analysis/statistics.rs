@@ -5,6 +5,8 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng as _, SeedableRng as _};
 use statrs::distribution::{ChiSquared, ContinuousCDF as _};
 
+use crate::bxdf::math::Real;
+
 /// Expected counts below this are pooled: the chi-square distribution is an approximation for large counts.
 pub const SMALLEST_EXPECTATION: f64 = 10.0;
 
@@ -18,9 +20,23 @@ impl Random {
         Self(Pcg64Mcg::seed_from_u64(seed))
     }
 
+    /// The generator as it is after `count` numbers.
+    #[must_use]
+    pub fn after(mut self, count: u128) -> Self {
+        self.0.advance(count);
+        self
+    }
+
     /// Uniform in [0, 1), 53 bits.
     pub fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
+        self.number()
+    }
+
+    /// Uniform in [0, 1), with as many bits as `R` holds, at most 53: rounding never makes it 1.
+    ///
+    /// The numbers of a seed are the same in every precision, but for the bits that do not fit.
+    pub fn number<R: Real>(&mut self) -> R {
+        unit_of(self.0.next_u64())
     }
 
     /// Two of [`Self::unit`].
@@ -36,6 +52,16 @@ impl Random {
         let radius = ((1.0 - z) * (1.0 + z)).sqrt();
         DVec3::new(radius * cos, radius * sin, z)
     }
+}
+
+/// The most bits of one random number.
+const RANDOM_BITS: u32 = f64::MANTISSA_DIGITS;
+
+/// The number in [0, 1) whose first binary digits are those of `bits`.
+fn unit_of<R: Real>(bits: u64) -> R {
+    let kept = (-R::UNIT_ROUNDOFF.log2() as u32).min(RANDOM_BITS);
+    let integer = bits >> (u64::BITS - kept);
+    R::of(integer as f64 / (1_u64 << kept) as f64)
 }
 
 /// The outcome of a chi-square test.
@@ -87,6 +113,8 @@ pub fn chi_square(bins: &[(f64, f64)]) -> Option<ChiSquare> {
 
 #[cfg(test)]
 mod tests {
+    use xprec::Df64;
+
     use super::*;
 
     #[test]
@@ -111,5 +139,31 @@ mod tests {
         assert!((first.length() - 1.0).abs() < 1e-15);
         assert_eq!(Random::new(7).direction(), first);
         assert!((0..1000).all(|_| (0.0..1.0).contains(&random.unit())));
+    }
+
+    #[test]
+    fn random_numbers_stay_below_one_in_every_precision() {
+        assert_eq!(unit_of::<f32>(u64::MAX), 1.0 - f32::EPSILON / 2.0);
+        assert_eq!(unit_of::<f64>(u64::MAX), 1.0 - f64::EPSILON / 2.0);
+        assert!(unit_of::<Df64>(u64::MAX) < Df64::of(1.0));
+    }
+
+    #[test]
+    fn precisions_share_their_random_numbers() {
+        let (mut a, mut b) = (Random::new(7), Random::new(7));
+        for _ in 0..100 {
+            let (single, double) = (a.number::<f32>(), b.number::<f64>());
+            // The bits cut off.
+            assert!((0.0..2_f64.powi(-24)).contains(&(double - f64::from(single))));
+        }
+    }
+
+    #[test]
+    fn numbers_that_are_passed_over_are_those_that_would_be_drawn() {
+        let mut random = Random::new(3);
+        let numbers: Vec<f64> = (0..100).map(|_| random.unit()).collect();
+        for (count, number) in (0..).zip(numbers) {
+            assert_eq!(Random::new(3).after(count).unit(), number);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! A surface turned about its normal.
 
-use super::batch::{Directions, Job, Path};
+use super::batch::{Columns, Directions, Job, Path};
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
 use super::{Bxdf, Delta, Deltas, Lobe, Microfacet, Sample};
@@ -37,10 +37,12 @@ impl<R: Real> Rotated<R> {
         let given = x.iter().zip(y);
         let turned = given.map(|(x, y)| {
             let w = self.local_from_fixed(Vec3::new(R::load(*x), R::load(*y), R::zero()));
-            (w.x.store(), w.y.store())
+            [w.x.store(), w.y.store()]
         });
-        let (x, y) = turned.unzip();
-        Local { x, y, z }
+        Local {
+            turned: Columns::from_rows(turned),
+            z,
+        }
     }
 
     /// [`Self::fixed_from_local`] of the first `n`, in their place.
@@ -63,14 +65,15 @@ impl<R: Real> Rotated<R> {
 
 /// Directions in the surface's own frame.
 struct Local<'a, R: Real> {
-    x: Vec<R::Stored>,
-    y: Vec<R::Stored>,
+    /// Their components along s and t.
+    turned: Columns<R::Stored, 2>,
     z: &'a [R::Stored],
 }
 
 impl<R: Real> Local<'_, R> {
     fn directions(&self) -> Directions<'_, R::Stored> {
-        [&self.x, &self.y, self.z]
+        let [x, y] = self.turned.slices();
+        [x, y, self.z]
     }
 }
 

@@ -180,6 +180,16 @@ pub struct Declaration {
     pub theta_deg: f64,
     /// By how much, and why the model is kept as it is.
     pub note: &'static str,
+    /// The parameters that it speaks of: at others the law is not broken for this reason.
+    pub when: fn(&ParamSet) -> bool,
+}
+
+impl Declaration {
+    /// For [`Self::when`]: whatever the parameters.
+    #[must_use]
+    pub const fn always(_: &ParamSet) -> bool {
+        true
+    }
 }
 
 /// What holds for a model whatever its parameters, less its declarations.

@@ -12,27 +12,26 @@ use crate::analysis::isotropy;
 use crate::analysis::reflectance::{LobeShare, MAX_EVALUATIONS, Reflectance, by_kind, lobe_shares};
 use crate::bxdf::Bxdf;
 use crate::bxdf::math::frame::direction_from_degrees;
-use crate::error::Result;
+use crate::error::{Result, line};
 
 /// The absolute error asked of the quadrature: a few digits beyond those printed, at no wait for any model.
 const TOLERANCE: f64 = 1e-9;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(value_parser = args::material)]
+    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(value_parser = args::material())]
     material: Given,
     /// The polar angles of incidence in degrees, 0 to 180
     #[arg(
         long,
         value_parser = args::polar_angle,
         value_delimiter = ',',
-        default_value = "0,30,60,85",
-        allow_hyphen_values = true
+        default_value = "0,30,60,85"
     )]
     theta: Vec<f64>,
     /// The azimuth of incidence in degrees
-    #[arg(long, value_parser = args::azimuth, default_value = "0", allow_hyphen_values = true)]
+    #[arg(long, value_parser = args::azimuth, default_value = "0")]
     phi: f64,
     /// Print JSON
     #[arg(long)]
@@ -120,7 +119,8 @@ fn shares(lobes: &[LobeShare]) -> Shares {
 fn listing(report: &Report) -> String {
     let mut text = format!(
         "{}, light arriving at azimuth {} degrees\n",
-        report.material, report.phi
+        line(&report.material),
+        report.phi
     );
     text.push_str("Shares of the flux, red green blue\n\n");
     // Writing to a string cannot fail.

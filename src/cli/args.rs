@@ -1,14 +1,18 @@
 //! What several verbs read from their arguments.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use xprec::Df64;
 
-use super::{energy, say};
+use super::say;
 use crate::bxdf::Material;
 use crate::bxdf::material::{self, library};
 use crate::bxdf::math::Real;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, shown};
+use crate::files;
+use crate::lab::contract::check_energy;
 
 /// The word that stands for standard input or output.
 pub(super) const STANDARD_STREAM: &str = "-";
@@ -27,12 +31,16 @@ pub(super) struct Given {
 }
 
 impl Given {
-    /// The material. Where it is a file of several lobes that create energy, one line on standard error says so.
+    /// The material. Where it is a file whose lobes create energy, one line on standard error says so.
     pub(super) fn checked(&self) -> &Material {
         if self.is_file
-            && let Some(excess) = energy::created(&self.material)
+            && let Some(report) = check_energy(&self.material)
+            && let Some(sentence) = report.sentence()
         {
-            say(&format!("warning: {} creates energy: {excess}", self.text));
+            say(&format!(
+                "warning: {} creates energy: {sentence}",
+                self.text
+            ));
         }
         &self.material
     }
@@ -43,26 +51,90 @@ impl Given {
     }
 }
 
+/// What a file of a material is.
+const MATERIAL_FILE: &str = "a material is read from TOML text (.toml) with [[lobes]]";
+
+/// The parser of materials, which may be paths that are no text.
+pub(super) fn material() -> impl TypedValueParser<Value = Given> {
+    OsStringValueParser::new().try_map(|given| read_material(&given))
+}
+
 /// Reads a material: the id of a model, `id:name=value,name=value`, the id of a named material, or the path of a material
-/// file.
-pub(super) fn material(text: &str) -> Result<Given> {
-    let path = Path::new(text);
-    if path
-        .extension()
-        .is_some_and(|extension| extension == "toml")
-    {
-        let file = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
+/// file, whatever its name ends in.
+fn read_material(given: &OsStr) -> Result<Given> {
+    let path = Path::new(given);
+    let text = given.to_string_lossy().into_owned();
+    let is_text = given.to_str().is_some();
+    if is_text && library::is_known(&text) {
         return Ok(Given {
-            material: material::file::parse(&file, text)?,
-            text: text.to_owned(),
+            material: library::read(&text)?,
+            text,
+            is_file: false,
+        });
+    }
+    if path.exists() || is_path(path) {
+        return Ok(Given {
+            material: material_at(path)?,
+            text,
             is_file: true,
         });
     }
-    Ok(Given {
-        material: library::read(text)?,
-        text: text.to_owned(),
-        is_file: false,
+    Err(if is_text {
+        // It names what is nearest.
+        library::unknown(&text)
+    } else {
+        let problem = "there is no such file, and other names are UTF-8 text";
+        Error::parse(format!("material '{}'", shown(&text)), problem)
     })
+}
+
+/// Whether the path ends as those of material files do.
+fn ends_in_toml(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// Whether a name that nothing has can only have been meant as a path.
+fn is_path(path: &Path) -> bool {
+    let is_assigned = path.to_string_lossy().contains(':');
+    ends_in_toml(path) || (path.components().count() > 1 && !is_assigned)
+}
+
+/// Reads the material file at `path`.
+fn material_at(path: &Path) -> Result<Material> {
+    let place = path.display().to_string();
+    let text = text_at(path, MATERIAL_FILE)?;
+    material::file::parse(&text, &place).map_err(|error| match error {
+        Error::Parse { place, problem } if !ends_in_toml(path) => {
+            Error::parse(place, format!("{problem}; {MATERIAL_FILE}"))
+        }
+        other => other,
+    })
+}
+
+/// Reads the text of a file; `wanted` says what one is where there is none.
+///
+/// # Errors
+/// Where it cannot be read, is longer than [`files::MAX_TEXT`], and where there is no text in it.
+pub(super) fn text_at(path: &Path, wanted: &str) -> Result<String> {
+    let refused = |problem: &str| {
+        let problem = format!("{problem}; {wanted}");
+        Err(Error::parse(path.display().to_string(), problem))
+    };
+    if path.is_dir() {
+        return refused("is a folder");
+    }
+    let text = match files::text_at(path) {
+        Err(Error::Parse { .. }) => return refused("holds no text"),
+        text => text?,
+    };
+    if text.contains('\0') {
+        return refused("holds no text");
+    }
+    if text.trim().is_empty() {
+        return refused("is empty");
+    }
+    Ok(text)
 }
 
 /// A precision, by name.
@@ -129,7 +201,7 @@ pub(super) fn angles(text: &str) -> Result<Angles> {
         .try_into()
         .map_err(|_| {
             Error::parse(
-                format!("direction '{text}'"),
+                format!("direction '{}'", shown(text)),
                 "expected THETA,PHI in degrees",
             )
         })?;
@@ -143,17 +215,28 @@ pub(super) fn angles(text: &str) -> Result<Angles> {
 pub(super) fn polar_angle(text: &str) -> Result<f64> {
     finite(text)
         .filter(|theta| (0.0..=180.0).contains(theta))
-        .ok_or_else(|| Error::parse(format!("theta '{text}'"), "expected 0 to 180 degrees"))
+        .ok_or_else(|| {
+            Error::parse(
+                format!("theta '{}'", shown(text)),
+                "expected 0 to 180 degrees",
+            )
+        })
 }
 
 /// Reads an azimuth in degrees, any finite number.
 pub(super) fn azimuth(text: &str) -> Result<f64> {
     finite(text).ok_or_else(|| {
         Error::parse(
-            format!("phi '{text}'"),
+            format!("phi '{}'", shown(text)),
             "expected a finite number of degrees",
         )
     })
+}
+
+/// Reads a number of things.
+pub(super) fn count(text: &str) -> Result<u64> {
+    let number = text.trim().parse();
+    number.map_err(|_| Error::parse(format!("'{}'", shown(text)), "expected a whole number"))
 }
 
 /// The finite number that `text` stands for.

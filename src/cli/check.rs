@@ -7,15 +7,15 @@ use serde::Serialize;
 use super::args::{self, Given};
 use super::output;
 use crate::bxdf::models::MODELS;
-use crate::error::Result;
+use crate::error::{Result, shown};
 use crate::lab::contract::{Effort, LawReport, check_all, check_material};
 use crate::lab::stability::{Extent, Extreme, examine_all, examine_material, table};
 
 #[derive(clap::Args)]
 #[expect(clippy::struct_excessive_bools, reason = "flags of the command line")]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(value_parser = args::material, required_unless_present = "all", conflicts_with = "all")]
+    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(value_parser = args::material(), required_unless_present = "all", conflicts_with = "all")]
     material: Option<Given>,
     /// Check every model over a sweep of its parameters
     #[arg(long)]
@@ -24,7 +24,13 @@ pub(super) struct Arguments {
     #[arg(long)]
     extremes: bool,
     /// So many more random points of all models together, in f32 and in f64 alone
-    #[arg(long, value_name = "N", default_value_t = Extent::FULL.crowd, conflicts_with = "material")]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = args::count,
+        default_value_t = Extent::FULL.crowd,
+        conflicts_with = "material"
+    )]
     points: u64,
     /// Print the worst of each model as the table of the documentation
     #[arg(long, conflicts_with_all = ["material", "json"])]
@@ -183,14 +189,22 @@ impl Report {
         );
         for model in &self.models {
             for law in &model.laws {
-                let (id, status) = (law.law.id(), law.status.id());
+                let id = law.law.id();
+                // A law that has nothing to compare in a material says nothing of it.
+                let status = if law.n == 0 { "-" } else { law.status.id() };
                 let _ = writeln!(
                     text,
                     "{:<26} {id:<14} {status:<12} {:>10.2e} {:>10.2e} {:>9}",
-                    model.id, law.worst, law.error, law.n
+                    shown(&model.id),
+                    law.worst,
+                    law.error,
+                    law.n
                 );
-                if !law.status.is_pass() {
+                if !law.status.is_pass() || !law.reason.is_empty() {
                     let _ = writeln!(text, "    {} at {}", law.law.measure(), law.witness);
+                }
+                if let Some(sentence) = law.sentence().filter(|_| !law.reason.is_empty()) {
+                    let _ = writeln!(text, "    {sentence}");
                 }
             }
         }
@@ -207,7 +221,7 @@ impl Report {
                 let _ = writeln!(
                     text,
                     "{:<26} {:<15} {:<9} {:>9} {:>10.2e} {:>9.3} {:>9}",
-                    model.id,
+                    shown(&model.id),
                     extreme.case.id(),
                     extreme.precision,
                     extreme.n,

@@ -1,14 +1,14 @@
 //! `eval`: f and pdf for rows of directions.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 use xprec::Df64;
 
 use super::args::{self, Given, PrecisionName, STANDARD_STREAM};
-use super::input::{COLUMNS, Row, Rows};
+use super::input::{self, COLUMNS, Row, Rows};
 use super::output::Table;
-use super::say;
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::Real;
 use crate::bxdf::{Bxdf, Precision};
 use crate::error::Result;
@@ -21,13 +21,13 @@ const ROWS: usize = 1024;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(value_parser = args::material)]
+    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(value_parser = args::material())]
     material: Given,
     /// The precision of the arithmetic: f32, f64 or reference
     #[arg(long, value_parser = args::precision, default_value = <f64 as Real>::NAME)]
     precision: PrecisionName,
-    /// The rows to read, with columns wo_x,wo_y,wo_z,wi_x,wi_y,wi_z; - is standard input
+    /// The rows to read, with columns wo_x,wo_y,wo_z,wi_x,wi_y,wi_z, separated by commas, semicolons or tabs; - is standard input
     #[arg(long = "in", value_name = "FILE", default_value = STANDARD_STREAM)]
     input: PathBuf,
     /// The file to write; - is standard output
@@ -59,65 +59,52 @@ fn evaluate<R: Precision>(arguments: &Arguments) -> Result<()> {
     }
     chunk.write(&*bxdf, &mut table)?;
     table.finish()?;
-    if normalised > 0 {
-        let rows = if normalised == 1 { "row" } else { "rows" };
-        say(&format!(
-            "{normalised} {rows} with directions that are not of unit length, normalised"
-        ));
-    }
+    input::say_normalised(normalised, ["row", "rows"]);
     Ok(())
 }
 
 /// Rows that wait to be evaluated.
 struct Chunk<R: Real> {
     texts: Vec<[String; COLUMNS.len()]>,
-    wo: [Vec<R::Stored>; 3],
-    wi: [Vec<R::Stored>; 3],
+    /// The components of wo, then those of wi.
+    pairs: Vec<[R::Stored; COLUMNS.len()]>,
 }
 
 impl<R: Real> Default for Chunk<R> {
     fn default() -> Self {
         Self {
             texts: Vec::new(),
-            wo: Default::default(),
-            wi: Default::default(),
+            pairs: Vec::new(),
         }
     }
 }
 
 impl<R: Real> Chunk<R> {
     fn push(&mut self, row: &Row<'_>) {
-        self.texts.push(row.texts.map(str::to_owned));
-        for (axes, w) in [(&mut self.wo, row.wo), (&mut self.wi, row.wi)] {
-            for (axis, x) in axes.iter_mut().zip(w.to_array()) {
-                axis.push(R::of(x).store());
-            }
-        }
+        self.texts.push(row.texts.clone().map(Cow::into_owned));
+        let (wo, wi) = (row.wo, row.wi);
+        let components = [wo.x, wo.y, wo.z, wi.x, wi.y, wi.z];
+        self.pairs.push(components.map(|x| R::of(x).store()));
     }
 
     /// Writes the rows with their results, and forgets them.
     fn write(&mut self, bxdf: &dyn Bxdf<R>, table: &mut Table) -> Result<()> {
-        let zero = R::zero().store();
-        let mut results: [Vec<R::Stored>; RESULTS.len()] =
-            std::array::from_fn(|_| vec![zero; self.texts.len()]);
-        let [r, g, b, pdf] = results.each_mut().map(Vec::as_mut_slice);
+        let pairs = Columns::from_rows(self.pairs.drain(..));
+        let [ox, oy, oz, ix, iy, iz] = pairs.slices();
+        let mut results = Columns::filled(R::zero().store(), pairs.len());
+        let [r, g, b, pdf] = results.slices_mut();
         let job = Job::FPdf {
-            wo: self.wo.each_ref().map(Vec::as_slice),
-            wi: self.wi.each_ref().map(Vec::as_slice),
+            wo: [ox, oy, oz],
+            wi: [ix, iy, iz],
             f: [r, g, b],
             pdf,
         };
         bxdf.batch(Path::Dispatched, job);
-        for (index, texts) in self.texts.drain(..).enumerate() {
+        for (texts, results) in self.texts.drain(..).zip(results.rows()) {
             texts.iter().try_for_each(|text| table.text(text))?;
-            let result = |axis: &Vec<R::Stored>| {
-                let stored = axis.get(index).copied().unwrap_or(zero);
-                R::load(stored).as_f64()
-            };
-            table.numbers(&results.each_ref().map(result))?;
+            table.numbers(&results.map(|x| R::load(x).as_f64()))?;
             table.end_row()?;
         }
-        self.wo.iter_mut().chain(&mut self.wi).for_each(Vec::clear);
         Ok(())
     }
 }

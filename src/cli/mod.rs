@@ -7,26 +7,33 @@ mod albedo;
 mod args;
 mod bench;
 mod check;
-mod energy;
 mod eval;
 #[cfg(feature = "gui")]
 mod export;
 pub mod input;
 mod models;
 mod output;
+mod partial;
 #[cfg(any(feature = "gui", test))]
 pub mod render;
+#[cfg(all(feature = "gui", unix, not(target_vendor = "apple")))]
+mod restart;
 mod sample;
 mod tradeoff;
 
+use std::any::TypeId;
 use std::error::Error as _;
+use std::ffi::OsString;
 use std::io::{self, Write as _};
 use std::panic;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, line, printable, shown};
+use crate::parallel;
 
 /// The exit code of a check that failed.
 const CHECK_FAILED: u8 = 1;
@@ -98,9 +105,12 @@ pub fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let outcome = match Arguments::try_parse() {
+    #[cfg(all(feature = "gui", unix, not(target_vendor = "apple")))]
+    restart::in_quiet_environment();
+    let words: Vec<OsString> = std::env::args_os().collect();
+    let outcome = match parse(&words) {
         Ok(arguments) => dispatch(arguments.verb),
-        Err(error) => return refuse(&error),
+        Err(error) => return refuse(&error, &words),
     };
     match outcome {
         Ok(code) => code,
@@ -109,13 +119,18 @@ fn run() -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            say(&format!("error: {}", on_one_line(&error.to_string())));
+            say(&format!("error: {error}"));
             ExitCode::from(BAD_INPUT)
         }
     }
 }
 
 fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
+    let threads = match &verb {
+        Some(Verb::Bench(arguments)) => arguments.threads(),
+        _ => None,
+    };
+    parallel::take_part(threads)?;
     match verb {
         None => window()?,
         Some(Verb::Models(arguments)) => models::run(&arguments)?,
@@ -152,18 +167,66 @@ fn window() -> Result<()> {
     })
 }
 
-/// Shows help and version on standard output, and what clap refuses as one line on standard error.
-fn refuse(error: &clap::Error) -> ExitCode {
+/// The arguments that `words`, the first of which is the program's name, stand for.
+fn parse(words: &[OsString]) -> std::result::Result<Arguments, clap::Error> {
+    let mut command = Arguments::command().mut_subcommands(with_hyphens);
+    command
+        .try_get_matches_from_mut(words)
+        .and_then(|matches| Arguments::from_arg_matches(&matches))
+        .map_err(|error| error.format(&mut command))
+}
+
+/// The command, the values of whose options may begin with a hyphen, as negative numbers do: whoever reads the value says what
+/// is wrong with it. A path may be a negative number only: `--out --json` lacks one.
+fn with_hyphens(command: clap::Command) -> clap::Command {
+    command.mut_args(|argument| {
+        if argument.is_positional() || !argument.get_action().takes_values() {
+            return argument;
+        }
+        let is_path = argument.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+        argument
+            .allow_hyphen_values(!is_path)
+            .allow_negative_numbers(is_path)
+    })
+}
+
+/// The line about a word that is no UTF-8 where only text is taken. Which of them it is clap does not say: the one that it
+/// refuses when all others are text.
+fn no_text(words: &[OsString]) -> String {
+    let as_text = |word: &OsString| OsString::from(word.to_string_lossy().into_owned());
+    let is_refused = |index: usize| {
+        let others = words.iter().enumerate();
+        let words: Vec<OsString> = others
+            .map(|(other, word)| {
+                if other == index {
+                    word.clone()
+                } else {
+                    as_text(word)
+                }
+            })
+            .collect();
+        parse(&words).is_err_and(|error| error.kind() == ErrorKind::InvalidUtf8)
+    };
+    let mut found = (1..words.len()).filter(|index| is_refused(*index));
+    let word = found.next().and_then(|index| words.get(index));
+    let name = word.map_or_else(String::new, |word| word.to_string_lossy().into_owned());
+    format!("error: argument '{}': expected text in UTF-8", shown(&name))
+}
+
+/// Shows help and version on standard output, and what clap refuses of `words` as one line on standard error.
+fn refuse(error: &clap::Error, words: &[OsString]) -> ExitCode {
     if !error.use_stderr() {
         // Only a closed standard output can fail here, and then nobody reads.
         let _ = error.print();
         return ExitCode::SUCCESS;
     }
-    let line = match error.source().and_then(|e| e.downcast_ref::<Error>()) {
-        Some(ours) => format!("error: {}", on_one_line(&ours.to_string())),
-        None => before_usage(&error.to_string()),
-    };
-    say(&line);
+    say(
+        &match error.source().and_then(|e| e.downcast_ref::<Error>()) {
+            Some(ours) => format!("error: {ours}"),
+            None if error.kind() == ErrorKind::InvalidUtf8 => no_text(words),
+            None => line(&before_usage(&error.to_string())),
+        },
+    );
     ExitCode::from(BAD_INPUT)
 }
 
@@ -189,22 +252,17 @@ fn internal_error(info: &panic::PanicHookInfo<'_>) -> String {
     format!(
         "error: internal error at {}: {}",
         place.as_deref().unwrap_or("an unknown place"),
-        on_one_line(info.payload_as_str().unwrap_or("no message"))
+        info.payload_as_str().unwrap_or("no message")
     )
 }
 
-/// `text` with its line breaks, which stem from the user's own input or a library, replaced by spaces.
-fn on_one_line(text: &str) -> String {
-    text.split(['\n', '\r'])
-        .map(str::trim)
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ")
-}
+/// The longest line on standard error, in characters: an error's parts are shorter, but not what others say.
+const MAX_LINE: usize = 4000;
 
-/// Writes `line` to standard error. Where that is closed, there is nobody to tell.
+/// Writes `line` to standard error, as one line that does nothing else to a terminal. Where that is closed, there is nobody
+/// to tell.
 fn say(line: &str) {
-    let _ = writeln!(io::stderr(), "{line}");
+    let _ = writeln!(io::stderr(), "{}", printable(line, MAX_LINE));
 }
 
 #[cfg(test)]
@@ -233,13 +291,44 @@ mod tests {
             ),
         ] {
             let words = std::iter::once("brdf-explorer").chain(words);
-            let error = Arguments::try_parse_from(words).err().unwrap();
+            let words: Vec<OsString> = words.map(Into::into).collect();
+            let error = parse(&words).err().unwrap();
             assert_eq!(before_usage(&error.to_string()), expected);
         }
     }
 
     #[test]
-    fn messages_lose_their_line_breaks() {
-        assert_eq!(on_one_line("a\r\n b\n"), "a b");
+    fn no_negative_number_is_taken_for_a_flag() {
+        let command = Arguments::command();
+        let mut count = 0;
+        for verb in command.get_subcommands() {
+            for option in verb
+                .get_opts()
+                .filter(|option| option.get_action().takes_values())
+            {
+                let name = option.get_long().map_or_else(
+                    || format!("-{}", option.get_short().unwrap()),
+                    |long| format!("--{long}"),
+                );
+                for number in ["-1", "-0.5", "-1e-3", "-.5", "-inf", "-5,3"] {
+                    let is_path = option.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+                    if is_path && number.parse::<i32>().is_err() {
+                        continue;
+                    }
+                    let words = ["brdf-explorer", verb.get_name(), &name, number];
+                    let words = words.map(OsString::from);
+                    if let Err(error) = parse(&words) {
+                        let line = before_usage(&error.to_string());
+                        assert!(
+                            error.kind() != ErrorKind::UnknownArgument,
+                            "{words:?}: {line}"
+                        );
+                        assert!(!line.contains("tip: "), "{words:?}: {line}");
+                    }
+                    count += 1;
+                }
+            }
+        }
+        assert!(count > 50, "{count}");
     }
 }

@@ -1,10 +1,11 @@
 //! Where results go: standard output, or a file that appears only when it is complete.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::is_standard_stream;
+use super::partial::Partial;
 use crate::error::{Error, Result};
 
 /// How standard output is called in messages.
@@ -34,12 +35,8 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
 pub(super) struct Output {
     stream: Box<dyn Write>,
     name: PathBuf,
-    pending: Option<Pending>,
-}
-
-struct Pending {
-    temporary: PathBuf,
-    target: PathBuf,
+    /// The file that is written, and where it is to stand.
+    pending: Option<(Partial, PathBuf)>,
 }
 
 impl Output {
@@ -69,18 +66,11 @@ impl Output {
             }
             Err(_) => path.to_owned(),
         };
-        let name = target
-            .file_name()
-            .ok_or_else(|| failed(io::ErrorKind::InvalidFilename.into()))?;
-        let mut hidden = std::ffi::OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{}.partial", std::process::id()));
-        let temporary = target.with_file_name(hidden);
-        let stream = File::create(&temporary).map_err(failed)?;
+        let (partial, file) = Partial::create(&target).map_err(failed)?;
         Ok(Self {
-            stream: Box::new(stream),
+            stream: Box::new(file),
             name: path.to_owned(),
-            pending: Some(Pending { temporary, target }),
+            pending: Some((partial, target)),
         })
     }
 
@@ -100,24 +90,12 @@ impl Output {
         let moved = self.stream.flush().and_then(|()| {
             // Closed first: some systems do not move an open file.
             self.stream = Box::new(io::sink());
-            match &self.pending {
-                Some(pending) => fs::rename(&pending.temporary, &pending.target),
+            match self.pending.take() {
+                Some((partial, target)) => partial.complete(&target),
                 None => Ok(()),
             }
         });
-        moved.map_err(|source| Error::io(&self.name, source))?;
-        self.pending = None;
-        Ok(())
-    }
-}
-
-impl Drop for Output {
-    fn drop(&mut self) {
-        if let Some(pending) = self.pending.take() {
-            self.stream = Box::new(io::sink());
-            // The error that led here is the one to tell.
-            let _ = fs::remove_file(pending.temporary);
-        }
+        moved.map_err(|source| Error::io(&self.name, source))
     }
 }
 

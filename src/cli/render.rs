@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::args::{self, Angles, Given};
 use crate::analysis::Hold;
 use crate::bxdf::Material;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, shown};
 
 /// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
 const MAX_PIXELS: u32 = 8192;
@@ -22,14 +22,14 @@ pub struct Arguments {
     /// The session to start from
     #[arg(long, value_name = "FILE")]
     session: Option<PathBuf>,
-    /// A material to show, may be given several times: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(long = "material", value_name = "MATERIAL", value_parser = args::material)]
+    /// A material to show, may be given several times: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(long = "material", value_name = "MATERIAL", value_parser = args::material())]
     materials: Vec<Given>,
     /// The direction held while the lobe is drawn over the other: wi or wo
     #[arg(long, value_parser = hold)]
     hold: Option<Hold>,
     /// The direction held, in degrees, theta from the normal
-    #[arg(long, value_name = "THETA,PHI", value_parser = args::angles, allow_hyphen_values = true)]
+    #[arg(long, value_name = "THETA,PHI", value_parser = args::angles)]
     direction: Option<Angles>,
     /// The view to show alone
     #[arg(long, value_name = "ID")]
@@ -39,12 +39,11 @@ pub struct Arguments {
         long,
         value_name = "WxH",
         value_parser = size,
-        default_value = "1280x800",
-        allow_hyphen_values = true
+        default_value = "1280x800"
     )]
     size: [u32; 2],
     /// Pixels per point
-    #[arg(long, value_parser = scale, default_value = "1", allow_hyphen_values = true)]
+    #[arg(long, value_parser = scale, default_value = "1")]
     scale: f64,
     /// The theme: dark or light
     #[arg(long, value_parser = theme)]
@@ -163,6 +162,10 @@ pub(super) fn picture(request: &RenderArgs) -> Result<crate::ui::headless::Pictu
     })
 }
 
+/// What a file of a session is.
+#[cfg(feature = "gui")]
+const SESSION_FILE: &str = "a session is read from TOML text, as the window saves it";
+
 /// The session to draw: the file's or the start, changed by what else was asked for.
 #[cfg(feature = "gui")]
 fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
@@ -171,7 +174,7 @@ fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
     let mut session = match &request.session {
         None => Session::default(),
         Some(path) => {
-            let text = std::fs::read_to_string(path).map_err(|error| Error::io(path, error))?;
+            let text = args::text_at(path, SESSION_FILE)?;
             Session::from_toml(&text, &path.display().to_string())?
         }
     };
@@ -209,7 +212,7 @@ fn theme(text: &str) -> Result<Theme> {
 fn size(text: &str) -> Result<[u32; 2]> {
     let problem = || {
         Error::parse(
-            format!("size '{text}'"),
+            format!("size '{}'", shown(text)),
             format!("expected WxH in points, each 1 to {MAX_PIXELS}"),
         )
     };
@@ -229,7 +232,7 @@ fn scale(text: &str) -> Result<f64> {
         .ok_or_else(|| {
             let (min, max) = (SCALE_RANGE.start(), SCALE_RANGE.end());
             Error::parse(
-                format!("scale '{text}'"),
+                format!("scale '{}'", shown(text)),
                 format!("expected {min} to {max} pixels per point"),
             )
         })
@@ -252,8 +255,9 @@ fn require_png(path: &Path) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
+    use clap::{CommandFactory as _, FromArgMatches as _, Parser};
 
+    use super::super::with_hyphens;
     use super::*;
 
     #[derive(Parser, Debug)]
@@ -264,7 +268,11 @@ mod tests {
 
     fn parse(line: &str) -> std::result::Result<RenderArgs, String> {
         let words = std::iter::once("render").chain(line.split_whitespace());
-        let line = Line::try_parse_from(words).map_err(|error| error.to_string())?;
+        let command = with_hyphens(Line::command());
+        let line = command
+            .try_get_matches_from(words)
+            .and_then(|matches| Line::from_arg_matches(&matches))
+            .map_err(|error| error.to_string())?;
         line.arguments.request().map_err(|error| error.to_string())
     }
 

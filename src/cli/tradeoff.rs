@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::args::{self, Given};
 use super::{check, output};
 use crate::bxdf::batch;
-use crate::error::{Error, Result};
+use crate::error::{self, Error, Result, shown};
 use crate::lab::timing::WallClock;
 use crate::lab::tradeoff::table::{COLUMNS, rows};
 use crate::lab::tradeoff::{
@@ -17,8 +17,8 @@ use crate::lab::tradeoff::{
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a .toml file
-    #[arg(value_parser = args::material)]
+    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    #[arg(value_parser = args::material())]
     material: Given,
     /// Measure only this family; all by default
     #[arg(long, value_parser = family)]
@@ -107,7 +107,10 @@ fn tolerance(text: &str) -> Result<f64> {
         .parse::<f64>()
         .ok()
         .filter(|x| *x >= 0.0 && x.is_finite());
-    number.ok_or_else(|| Error::parse("tolerance", format!("'{text}' is not a number from 0 up")))
+    number.ok_or_else(|| {
+        let place = format!("tolerance '{}'", shown(text));
+        Error::parse(place, "expected a number, 0 or more")
+    })
 }
 
 /// One line on a terminal's standard error that says how far it is.
@@ -147,7 +150,9 @@ impl Report {
     fn table(&self) -> String {
         let mut text = format!(
             "{}\n{}, {}\n",
-            self.material, self.machine, self.instruction_set
+            error::line(&self.material),
+            self.machine,
+            self.instruction_set
         );
         // Writing to a string cannot fail.
         for family in &self.families {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::timing::Timing;
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::Real;
 use crate::bxdf::{Bxdf, Material, Precision};
 
@@ -27,10 +27,10 @@ const SEED: u64 = 0x5eed;
 /// The directions and random numbers of a benchmark, component by component.
 #[derive(Clone, Debug)]
 pub struct Pairs<R> {
-    wo: [Vec<R>; 3],
-    wi: [Vec<R>; 3],
+    wo: Columns<R, 3>,
+    wi: Columns<R, 3>,
     /// uc, then the two of u.
-    numbers: [Vec<R>; 3],
+    numbers: Columns<R, 3>,
 }
 
 impl<R: Real> Pairs<R> {
@@ -40,45 +40,43 @@ impl<R: Real> Pairs<R> {
         let mut generator = Pcg64Mcg::seed_from_u64(SEED);
         let mut unit = || (generator.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON);
         let mut directions = |lowest: f64| {
-            let mut axes = [(); 3].map(|()| Vec::with_capacity(n));
-            for _ in 0..n {
+            Columns::from_rows((0..n).map(|_| {
                 let z = lowest + (1.0 - lowest) * unit();
                 let (sin, cos) = (std::f64::consts::TAU * unit()).sin_cos();
                 let radius = ((1.0 - z) * (1.0 + z)).sqrt();
-                let components = [radius * cos, radius * sin, z];
-                axes.iter_mut()
-                    .zip(components)
-                    .for_each(|(axis, x)| axis.push(R::of(x)));
-            }
-            axes
+                [radius * cos, radius * sin, z].map(R::of)
+            }))
         };
         let wo = directions(0.0);
         let wi = directions(if is_crossing { -1.0 } else { 0.0 });
-        let numbers = [(); 3].map(|()| (0..n).map(|_| R::of(unit()).min(below_one())).collect());
-        Self { wo, wi, numbers }
+        let numbers = (0..n).map(|_| [(); 3].map(|()| R::of(unit()).min(below_one())));
+        Self {
+            wo,
+            wi,
+            numbers: Columns::from_rows(numbers),
+        }
     }
 
     /// Pairs from the nine arrays wo, wi, uc, u, each of `values.len() / 9` numbers, one after the other.
     #[must_use]
     pub fn from_arrays(values: &[f64]) -> Self {
         let n = values.len() / 9;
-        let axis = |index: usize| {
-            let range = values.get(index * n..(index + 1) * n);
-            let range = range.unwrap_or_default();
-            range.iter().map(|x| R::of(*x)).collect::<Vec<R>>()
+        let number = |index: usize| R::of(values.get(index).copied().unwrap_or_default());
+        let columns = |first: usize| {
+            let row = |index: usize| [0, 1, 2].map(|axis| number((first + axis) * n + index));
+            Columns::from_rows((0..n).map(row))
         };
         Self {
-            wo: [axis(0), axis(1), axis(2)],
-            wi: [axis(3), axis(4), axis(5)],
-            numbers: [axis(6), axis(7), axis(8)],
+            wo: columns(0),
+            wi: columns(3),
+            numbers: columns(6),
         }
     }
 
     /// How many they are.
     #[must_use]
     pub fn len(&self) -> usize {
-        let [x, ..] = &self.wo;
-        x.len()
+        self.wo.len()
     }
 
     /// Whether there are none.
@@ -109,6 +107,18 @@ pub enum Operation {
 impl Operation {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::F, Self::Pdf, Self::FPdf, Self::SampleF];
+
+    /// How many numbers an evaluation reads and writes.
+    const fn numbers(self) -> usize {
+        let (wo, wi, channels) = (3, 3, 3);
+        match self {
+            Self::F => wo + wi + channels,
+            Self::Pdf => wo + wi + 1,
+            Self::FPdf => wo + wi + channels + 1,
+            // The three numbers it is drawn by; density and delta.
+            Self::SampleF => wo + 3 + wi + channels + 2,
+        }
+    }
 }
 
 /// How the batch is run.
@@ -149,40 +159,89 @@ pub struct Row {
     pub path: Mode,
     /// What was run.
     pub operation: Operation,
+    /// Bytes that an evaluation reads and writes: what the memory has to bring and take.
+    pub bytes: usize,
     /// Nanoseconds per evaluation, the median of the repetitions.
     pub ns: f64,
     /// The first and the third quartile.
     pub spread: [f64; 2],
 }
 
-/// Measures `operation` of `material` on `pairs`.
+/// What threads bring on this machine at this moment: the same plain arithmetic on one and on all of them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Control {
+    /// Nanoseconds of a step on one thread, the median of the repetitions.
+    pub one_thread_ns: f64,
+    /// Nanoseconds of a step on all threads.
+    pub all_threads_ns: f64,
+}
+
+/// Measures arithmetic that touches no memory, on one thread and on all in turns: no batch gains more from threads, and on
+/// a machine whose cores are busy this gains as little as they do.
+#[must_use]
+pub fn control() -> Control {
+    let steps =
+        |count: usize| (0..count).fold(0.5, |x: f64, _| std::hint::black_box(1.25 * x * (1.0 - x)));
+    let parts = PAIRS / CHUNK;
+    let mut times = [(); 2].map(|()| Vec::with_capacity(REPETITIONS));
+    for round in 0..=REPETITIONS {
+        for (is_parallel, times) in [false, true].into_iter().zip(&mut times) {
+            let start = Instant::now();
+            let sum: f64 = if is_parallel {
+                (0..parts).into_par_iter().map(|_| steps(CHUNK)).sum()
+            } else {
+                (0..parts).map(|_| steps(CHUNK)).sum()
+            };
+            std::hint::black_box(sum);
+            if round > 0 {
+                times.push(start.elapsed().as_secs_f64() * 1e9 / PAIRS as f64);
+            }
+        }
+    }
+    let [one, all] = times.map(|times| Timing::of(times).ns);
+    Control {
+        one_thread_ns: one,
+        all_threads_ns: all,
+    }
+}
+
+/// Measures `operation` of `material` on `pairs`, run in each of `modes`.
+///
+/// The modes take turns, so that what the machine does besides slows all of them alike: their ratios hold where their
+/// times do not.
 #[must_use]
 pub fn measure<R: Precision + Real<Stored = R>>(
     material: &Material,
     pairs: &Pairs<R>,
     operation: Operation,
-    mode: Mode,
-) -> Row {
+    modes: &[Mode],
+) -> Vec<Row> {
     let bxdf = material.build::<R>();
-    let mut out: Vec<Vec<R>> = vec![vec![R::zero(); pairs.len()]; OUTPUTS];
-    // Once to warm up: the pages of the output are touched, the clock is raised.
-    run(&*bxdf, pairs, operation, mode, &mut out);
-    let times = (0..REPETITIONS)
-        .map(|_| {
+    let mut out = Columns::filled(R::zero(), pairs.len());
+    let mut times = vec![Vec::with_capacity(REPETITIONS); modes.len()];
+    for round in 0..=REPETITIONS {
+        for (mode, times) in modes.iter().zip(&mut times) {
             let start = Instant::now();
-            run(&*bxdf, pairs, operation, mode, &mut out);
-            start.elapsed().as_secs_f64() * 1e9 / pairs.len() as f64
-        })
-        .collect();
-    let Timing { ns, spread } = Timing::of(times);
-    Row {
-        material: material.to_string(),
-        precision: R::NAME,
-        path: mode,
-        operation,
-        ns,
-        spread,
+            run(&*bxdf, pairs, operation, *mode, &mut out);
+            // The first round warms up: the pages of the output are touched, the clock is raised, the threads are awake.
+            if round > 0 {
+                times.push(start.elapsed().as_secs_f64() * 1e9 / pairs.len() as f64);
+            }
+        }
     }
+    let row = |(mode, times): (&Mode, Vec<f64>)| {
+        let Timing { ns, spread } = Timing::of(times);
+        Row {
+            material: material.to_string(),
+            precision: R::NAME,
+            path: *mode,
+            operation,
+            bytes: operation.numbers() * size_of::<R>(),
+            ns,
+            spread,
+        }
+    };
+    modes.iter().zip(times).map(row).collect()
 }
 
 /// Arrays that a job writes at most.
@@ -193,7 +252,7 @@ fn run<R: Precision + Real<Stored = R>>(
     pairs: &Pairs<R>,
     operation: Operation,
     mode: Mode,
-    out: &mut [Vec<R>],
+    out: &mut Columns<R, OUTPUTS>,
 ) {
     let whole = Part::of(pairs, out);
     match mode {
@@ -213,13 +272,12 @@ struct Part<'a, R> {
 }
 
 impl<'a, R: Precision + Real<Stored = R>> Part<'a, R> {
-    fn of(pairs: &'a Pairs<R>, out: &'a mut [Vec<R>]) -> Self {
-        let axes = pairs.wo.iter().chain(&pairs.wi).chain(&pairs.numbers);
-        let mut axes = axes.map(Vec::as_slice);
-        let mut outputs = out.iter_mut().map(Vec::as_mut_slice);
+    fn of(pairs: &'a Pairs<R>, out: &'a mut Columns<R, OUTPUTS>) -> Self {
+        let [wo, wi, numbers] = [&pairs.wo, &pairs.wi, &pairs.numbers].map(Columns::slices);
+        let ([ox, oy, oz], [ix, iy, iz], [uc, u, v]) = (wo, wi, numbers);
         Self {
-            given: [(); 9].map(|()| axes.next().unwrap_or_default()),
-            out: [(); OUTPUTS].map(|()| outputs.next().unwrap_or_default()),
+            given: [ox, oy, oz, ix, iy, iz, uc, u, v],
+            out: out.slices_mut(),
         }
     }
 
@@ -291,12 +349,12 @@ mod tests {
         let pairs = Pairs::<f32>::random(CHUNK + 777, true);
         for operation in Operation::ALL {
             let results = Mode::ALL.map(|mode| {
-                let mut out = vec![vec![0.0_f32; pairs.len()]; OUTPUTS];
+                let mut out = Columns::filled(0.0_f32, pairs.len());
                 run(&*bxdf, &pairs, operation, mode, &mut out);
-                out
+                out.rows().collect::<Vec<_>>()
             });
             assert!(results[0] == results[1] && results[1] == results[2]);
-            let last_pdf = results[0][3].last().copied().unwrap_or(0.0);
+            let last_pdf = results[0].last().map_or(0.0, |row| row[3]);
             assert!(operation == Operation::F || last_pdf.is_finite());
         }
     }
@@ -306,11 +364,14 @@ mod tests {
         let material: Material = "lambertian_reflection".parse().unwrap();
         let pairs = Pairs::<f64>::from_arrays(&vec![0.5; 9 * 640]);
         assert!(pairs.len() == 640 && !pairs.is_empty());
-        let row = measure(&material, &pairs, Operation::Pdf, Mode::Dispatched);
-        assert!(row.ns > 0.0 && row.spread[0] <= row.ns && row.ns <= row.spread[1]);
-        assert_eq!(
-            (row.precision, row.material.as_str()),
-            ("f64", "lambertian_reflection")
-        );
+        let rows = measure(&material, &pairs, Operation::Pdf, &Mode::ALL);
+        assert!(rows.iter().map(|row| row.path).eq(Mode::ALL));
+        for row in rows {
+            assert!(row.ns > 0.0 && row.spread[0] <= row.ns && row.ns <= row.spread[1]);
+            assert_eq!(
+                (row.precision, row.material.as_str()),
+                ("f64", "lambertian_reflection")
+            );
+        }
     }
 }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use xprec::Df64;
 
 use super::rounding::{WHOLE, condition_numbers};
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::{Real, frame};
 use crate::bxdf::param::{ParamSet, ParamSpec, Value};
 use crate::bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
@@ -123,23 +123,27 @@ impl Subject {
     /// The three channels of `f` and the density at `pairs` (wo, wi), in `f64`: the order of a law's quantities.
     #[must_use]
     pub fn values(&self, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 4]> {
-        let components = |pick: fn(&(DVec3, DVec3)) -> DVec3| {
-            [0, 1, 2]
-                .map(|axis| -> Vec<f64> { pairs.iter().map(|pair| pick(pair)[axis]).collect() })
-        };
-        let (wo, wi) = (components(|pair| pair.0), components(|pair| pair.1));
-        let mut results = [(); 4].map(|()| vec![0.0; pairs.len()]);
-        let [r, g, b, pdf] = results.each_mut().map(Vec::as_mut_slice);
+        let wo = Columns::from_rows(pairs.iter().map(|(wo, _)| wo.to_array()));
+        let wi = Columns::from_rows(pairs.iter().map(|(_, wi)| wi.to_array()));
+        let mut results = Columns::filled(0.0, pairs.len());
+        let [r, g, b, pdf] = results.slices_mut();
         let job = Job::FPdf {
-            wo: wo.each_ref().map(Vec::as_slice),
-            wi: wi.each_ref().map(Vec::as_slice),
+            wo: wo.slices(),
+            wi: wi.slices(),
             f: [r, g, b],
             pdf,
         };
         self.double.batch(Path::Dispatched, job);
-        let [r, g, b, pdf] = results;
-        let all = r.into_iter().zip(g).zip(b).zip(pdf);
-        all.map(|(((r, g), b), pdf)| [r, g, b, pdf]).collect()
+        results.rows().collect()
+    }
+
+    /// `material`: its model where that is all, else all its components together.
+    #[must_use]
+    pub fn at(material: &Material) -> Self {
+        material.only().map_or_else(
+            || Self::of_material(material),
+            |only| Self::new(only.model(), only.params()),
+        )
     }
 
     /// `material`, all its components together.

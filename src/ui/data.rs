@@ -247,6 +247,17 @@ impl Data {
         answer.value.unwrap_or_default()
     }
 
+    /// What `of` says of a material with the direction held: for what takes no time and is not kept.
+    pub fn with_subject<T>(
+        &mut self,
+        session: &Session,
+        entry: &MaterialEntry,
+        of: impl FnOnce(&Subject<'_>) -> T,
+    ) -> T {
+        let surface = self.surface(session, entry);
+        of(&Subject::of(Held::of(session).lobe(&surface)))
+    }
+
     /// The Dirac deltas of the held direction.
     pub fn arrows(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Vec<Arrow>> {
         let surface = self.surface(session, entry);

@@ -38,11 +38,19 @@ impl Picture {
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
     pub fn png(self) -> Result<Vec<u8>> {
+        encoded(&self.image()?)
+    }
+
+    /// Draws the picture.
+    ///
+    /// # Errors
+    /// [`Error::Platform`] without a graphics adapter, or where it fails.
+    pub fn image(self) -> Result<image::RgbaImage> {
         let failed = |problem: String| Error::Platform {
             problem: format!("the picture cannot be drawn: {problem}"),
             remedy: "a smaller --size or --scale may do".to_owned(),
         };
-        encoded(&self.harness()?.render().map_err(failed)?)
+        self.settled(App::for_picture)?.render().map_err(failed)
     }
 
     /// The running application behind the picture, settled, on a machine that need not be able to draw: what it paints is
@@ -50,7 +58,8 @@ impl Picture {
     #[must_use]
     pub fn shapes(self) -> Harness<'static, App> {
         let builder = self.builder();
-        let mut harness = builder.build_eframe(|cc| App::new(cc, self.session, self.only, None));
+        let mut harness =
+            builder.build_eframe(|cc| App::new(cc, self.session, self.only, None).for_picture());
         harness.run_ok();
         harness
     }
@@ -70,12 +79,17 @@ impl Picture {
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter.
     pub fn harness(self) -> Result<Harness<'static, App>> {
+        self.settled(|app| app)
+    }
+
+    fn settled(self, prepare: impl FnOnce(App) -> App) -> Result<Harness<'static, App>> {
         let mut setup = default_wgpu_setup();
         if let WgpuSetup::CreateNew(setup) = &mut setup {
             setup.instance_descriptor.backends = backends_with_adapter()?;
         }
         let builder = self.builder().wgpu_setup(setup);
-        let mut harness = builder.build_eframe(|cc| App::new(cc, self.session, self.only, None));
+        let mut harness =
+            builder.build_eframe(|cc| prepare(App::new(cc, self.session, self.only, None)));
         harness.run_ok();
         Ok(harness)
     }

@@ -51,6 +51,12 @@ impl History {
         self.present.clone_from(session);
     }
 
+    /// The state at the end of the last frame.
+    #[must_use]
+    pub fn present(&self) -> &Session {
+        &self.present
+    }
+
     /// Whether there is a step to undo.
     #[must_use]
     pub fn can_undo(&self) -> bool {

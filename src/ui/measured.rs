@@ -139,7 +139,7 @@ impl Run {
         };
         // Without threads, as in a browser, it is done at once.
         if is_threaded && platform::has_threads() {
-            platform::spawn(work);
+            platform::compute(work);
         } else {
             work();
         }

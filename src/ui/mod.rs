@@ -10,6 +10,8 @@ pub mod history;
 pub mod jobs;
 pub mod measured;
 pub mod memo;
+pub mod number;
+pub mod pacing;
 pub mod platform;
 pub mod scene3d;
 pub mod session;

@@ -1,4 +1,9 @@
-//! What differs between a native window and a page in a browser: threads and time.
+//! What differs between a native window and a page in a browser: threads, time, other programs.
+
+use std::io;
+use std::path::Path;
+
+use crate::parallel::Pool;
 
 /// Seconds since the first call.
 #[must_use]
@@ -15,8 +20,7 @@ pub fn seconds() -> f64 {
 #[must_use]
 pub fn workers() -> usize {
     if has_threads() {
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        cores.saturating_sub(1).max(1)
+        crate::parallel::threads().saturating_sub(1).max(1)
     } else {
         0
     }
@@ -28,10 +32,48 @@ pub const fn has_threads() -> bool {
     !cfg!(target_arch = "wasm32")
 }
 
-/// Starts a thread; whether it could be started.
+/// Starts a thread for what waits rather than computes: files, other programs. Whether it could be started.
 pub fn spawn(work: impl FnOnce() + Send + 'static) -> bool {
     std::thread::Builder::new()
         .name("worker".to_owned())
         .spawn(work)
         .is_ok()
+}
+
+/// Computes beside all else, on a thread that shares out its loops among others; whether there are threads for it.
+pub fn compute(work: impl FnOnce() + Send + 'static) -> bool {
+    // The threads end with the work.
+    Pool::new().map(|pool| pool.spawn(work)).is_some()
+}
+
+/// Opens a folder in the system's program for folders, and waits until that is done or has failed.
+///
+/// # Errors
+/// The system's, where there is no such program, or it fails.
+pub fn open_folder(path: &Path) -> io::Result<()> {
+    let program = if cfg!(windows) {
+        "explorer"
+    } else if cfg!(target_os = "macos") {
+        "open"
+    } else {
+        "xdg-open"
+    };
+    let mut command = std::process::Command::new(program);
+    let nothing = std::process::Stdio::null;
+    command
+        .arg(path)
+        .stdin(nothing())
+        .stdout(nothing())
+        .stderr(nothing());
+    let status = command.status().map_err(|error| match error.kind() {
+        // Its own words would seem to be about the folder.
+        io::ErrorKind::NotFound => io::Error::other(format!("{program} is missing")),
+        _ => error,
+    })?;
+    // The explorer always claims to have failed.
+    if status.success() || cfg!(windows) {
+        Ok(())
+    } else {
+        Err(io::Error::other(format!("{program} failed")))
+    }
 }

@@ -14,6 +14,15 @@ use super::session::{Layout, Part, ViewId};
 use super::theme;
 use super::views::{self, ViewSpec};
 
+/// What is to be made of a view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// A file.
+    Export(Format),
+    /// A picture in the clipboard.
+    CopyPicture,
+}
+
 /// Draws a view into the space left in the `Ui`.
 pub type ShowView<'a> = dyn FnMut(&mut Ui, &ViewSpec) + 'a;
 
@@ -41,7 +50,7 @@ impl ViewTiles {
         ui: &mut Ui,
         layout: &mut Layout,
         show_view: &mut ShowView<'_>,
-    ) -> Option<(ViewId, Format)> {
+    ) -> Option<(ViewId, Wish)> {
         if *layout != self.layout {
             self.tree = tree_of(layout);
             self.layout = layout.clone();
@@ -71,10 +80,8 @@ impl ViewTiles {
             Tile::Container(Container::Linear(linear)) => {
                 let part = |child: &TileId| {
                     let share = linear.shares.iter().find(|(id, _)| *id == child);
-                    Some(Part {
-                        share: share.map_or(1.0, |(_, share)| *share),
-                        place: self.place(*child)?,
-                    })
+                    let share = share.map_or(1.0, |(_, share)| *share);
+                    Some(Part::of(share, self.place(*child)?))
                 };
                 let mut parts: Vec<Part> = linear.children.iter().filter_map(part).collect();
                 if parts.len() < 2 {
@@ -151,7 +158,7 @@ struct Panes<'a, 'b> {
     has_several: bool,
     is_edited: bool,
     /// What is to be exported.
-    wished: Option<(ViewId, Format)>,
+    wished: Option<(ViewId, Wish)>,
 }
 
 /// The view of this id; ids are checked where they are read.
@@ -160,16 +167,20 @@ fn spec_of(id: ViewId) -> Option<&'static ViewSpec> {
 }
 
 /// What there is to see, and the menu of the files it can be exported to. Returns the one chosen.
-fn caption(ui: &mut Ui, view: &ViewSpec) -> Option<Format> {
+fn caption(ui: &mut Ui, view: &ViewSpec) -> Option<Wish> {
     let mut wished = None;
     let width = ui.available_width();
     let room = egui::vec2(width, ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(room, egui::Layout::right_to_left(egui::Align::TOP), |ui| {
         let menu = ui.menu_button(RichText::new("Export").small(), |ui| {
+            let hint = "Put the picture that the file would hold into the clipboard";
+            if ui.button("Copy picture").on_hover_text(hint).clicked() {
+                wished = Some(Wish::CopyPicture);
+            }
             for spec in FORMATS.iter().filter(|spec| view.has_file(spec.format)) {
                 let item = ui.button(spec.title);
                 if item.on_hover_text(spec.meaning).clicked() {
-                    wished = Some(spec.format);
+                    wished = Some(Wish::Export(spec.format));
                 }
             }
         });
@@ -190,8 +201,8 @@ impl Behavior<ViewId> for Panes<'_, '_> {
             egui::Frame::NONE
                 .inner_margin(theme::TILE_MARGIN)
                 .show(ui, |ui| {
-                    if let Some(format) = caption(ui, view) {
-                        self.wished = Some((*id, format));
+                    if let Some(wish) = caption(ui, view) {
+                        self.wished = Some((*id, wish));
                     }
                     (self.show_view)(ui, view);
                 });

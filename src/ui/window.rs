@@ -1,6 +1,7 @@
 //! The native window.
 
 use std::env;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::app::App;
 use super::session::Session;
@@ -23,16 +24,28 @@ pub fn run() -> Result<()> {
         viewport,
         ..Default::default()
     };
+    let mut exit_problem: Arc<Mutex<Option<Error>>> = Arc::default();
+    let exit_problem_of = &mut exit_problem;
     eframe::run_native(
         "brdf-explorer",
         options,
         Box::new(|cc| {
             let mut app = App::new(cc, Session::default(), None, Some(platform::seconds));
-            app.work_on(&cc.egui_ctx, Store::platform(), Box::new(Native::default()));
+            app.work_on(
+                &cc.egui_ctx,
+                Store::platform().in_threads(),
+                Box::new(Native::default()),
+            );
+            *exit_problem_of = app.exit_problem();
             Ok(Box::new(app))
         }),
     )
-    .map_err(|error| refusal(&error))
+    .map_err(|error| refusal(&error))?;
+    let problem = exit_problem
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .take();
+    problem.map_or(Ok(()), Err)
 }
 
 /// What the user can act on; the window system's own words name files of its source.

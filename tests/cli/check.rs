@@ -87,3 +87,68 @@ fn what_makes_no_sense_is_refused() {
         refused(words, "");
     }
 }
+
+/// The laws of a material, and the exit code.
+fn laws(material: &str) -> (Vec<Json>, i32) {
+    let output = super::run_with_input(&["check", material, "--json"], "");
+    let report = json(super::stdout(&output));
+    let laws = report["models"][0]["laws"].as_array().unwrap().clone();
+    (laws, output.status.code().unwrap())
+}
+
+fn one<'a>(laws: &'a [Json], law: &str) -> &'a Json {
+    laws.iter().find(|one| one["law"] == law).unwrap()
+}
+
+#[test]
+fn a_check_of_a_material_is_of_that_material() {
+    for (material, expected) in [
+        ("gold", [("energy", "ok", 0.0), ("reciprocity", "ok", 0.0)]),
+        (
+            "phong:diffuse=.3,specular=.3",
+            [("energy", "ok", 0.0), ("reciprocity", "ok", 0.0)],
+        ),
+        (
+            "phong:diffuse=.9,specular=.9",
+            [("energy", "declared", 0.8), ("reciprocity", "ok", 0.0)],
+        ),
+    ] {
+        let (laws, exit) = laws(material);
+        assert_eq!(exit, 0, "{material}");
+        for (law, status, worst) in expected {
+            let report = one(&laws, law);
+            assert_eq!(report["status"], status, "{material}: {report}");
+            let found = report["worst"].as_f64().unwrap();
+            assert!((found - worst).abs() < 1e-3, "{material}: {report}");
+            let mut keys: Vec<&String> = report.as_object().unwrap().keys().collect();
+            keys.sort();
+            assert_eq!(keys, ["error", "law", "n", "status", "witness", "worst"]);
+        }
+    }
+}
+
+#[test]
+fn a_check_says_where_and_why_a_law_is_broken() {
+    let folder = super::folder("check");
+    let heavy = folder.join("heavy.toml");
+    let lobe = "[[lobes]]\nmodel = \"lambertian_reflection\"\nreflectance = 0.5\nweight = ";
+    std::fs::write(&heavy, format!("{lobe}3\n")).unwrap();
+    let path = heavy.to_str().unwrap();
+    let output = super::run_with_input(&["check", path], "");
+    assert_eq!(output.status.code(), Some(1));
+    let text = super::stdout(&output);
+    for expected in [
+        "energy         violated        5.00e-1",
+        "share of the flux created at 3 * lambertian_reflection:reflectance=0.5 wi (",
+        "50 % more leaves than arrives, because its weight is 3",
+        "limits         -",
+    ] {
+        assert!(text.contains(expected), "{expected}: {text}");
+    }
+    std::fs::write(&heavy, format!("{lobe}4e38\n")).unwrap();
+    let line = refused(&["check", path], "");
+    assert!(
+        line.contains("allowed is a number from 0 to 1000"),
+        "{line}"
+    );
+}

@@ -10,6 +10,11 @@ mod albedo;
 mod bench;
 mod check;
 mod eval;
+mod files;
+#[cfg(target_os = "linux")]
+mod interrupts;
+#[cfg(feature = "gui")]
+mod pictures;
 mod sample;
 mod tradeoff;
 
@@ -156,12 +161,19 @@ fn lobes_that_create_energy_are_warned_of() {
     assert_eq!(output.status.code(), Some(0));
     let line = stderr(&output);
     assert_eq!(line.lines().count(), 1, "{line}");
-    assert!(line.starts_with("warning: ") && line.contains("two.toml creates energy: 1.2"));
-    assert!(line.contains("theta 0 degrees"), "{line}");
+    assert!(line.starts_with("warning: ") && line.contains("two.toml creates energy: With light"));
+    let said = "degrees 20 % more leaves than arrives, because the lobes add up";
+    assert!(line.contains(said), "{line}");
     assert!(stdout(&output).contains("1.200000"));
     let output = run_with_input(&["check", path], "");
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("creates energy"));
+    // One lobe is warned of like several.
+    fs::write(&two, format!("{lobe}weight = 3\n")).unwrap();
+    let output = run_with_input(&["eval", path], HEADER);
+    assert_eq!(output.status.code(), Some(0));
+    let said = "80 % more leaves than arrives, because its weight is 3";
+    assert!(stderr(&output).contains(said), "{}", stderr(&output));
     // One lobe, and two that share the light, are fine.
     for text in [lobe, &format!("{lobe}weight = 0.5\n{lobe}weight = 0.5\n")] {
         fs::write(&two, text).unwrap();

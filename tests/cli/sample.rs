@@ -133,3 +133,69 @@ fn sample_refuses_bad_numbers_and_leaves_no_file() {
     }
     assert_eq!(files_in(&folder), [""; 0]);
 }
+
+#[test]
+fn a_seed_gives_the_samples_of_the_view() {
+    use brdf_explorer::analysis::sampling::{Part, Request};
+    use brdf_explorer::analysis::{Detail, HeldLobe, Hold, Question, Subject};
+    use brdf_explorer::bxdf::material::{file, library};
+    use brdf_explorer::bxdf::math::frame::direction_from_degrees;
+
+    let mixture = folder("seed").join("mixture.toml");
+    let text = "[[lobes]]\nmodel = \"phong\"\nweight = 0.4\n[[lobes]]\nmodel = \"thin_dielectric\"\nweight = 0.5\n";
+    std::fs::write(&mixture, text).unwrap();
+    let mixture = mixture.to_str().unwrap();
+    // Beyond the draws that are made together, and not a whole number of them.
+    let count = 5000;
+    for (given, material) in [
+        ("gold", library::read("gold").unwrap()),
+        (
+            "principled:metallic=0.5",
+            library::read("principled:metallic=0.5").unwrap(),
+        ),
+        (
+            "rough_dielectric",
+            library::read("rough_dielectric").unwrap(),
+        ),
+        (mixture, file::parse(text, "mixture").unwrap()),
+    ] {
+        let count_text = count.to_string();
+        let words = [
+            "sample",
+            given,
+            "--wo",
+            "40,20",
+            "-n",
+            &count_text,
+            "--seed",
+            "11",
+        ];
+        let table = done(&words, "");
+        let rows = rows(&table);
+        let model = material.build();
+        let held = direction_from_degrees(40.0, 20.0);
+        let subject = Subject::of(HeldLobe::new(&*model, Hold::Viewer, held));
+        let request = Request {
+            part: Part::Points,
+            count: 8192,
+            seed: 11,
+            phi: 0.0,
+        };
+        let study = request.answer(&subject, Detail::Full, &|| true).unwrap();
+        let drawn: Vec<&Vec<&str>> = rows.iter().filter(|row| !row[3].is_empty()).collect();
+        assert!(drawn.len() > count / 2 && drawn.len() < study.points.len());
+        for (row, point) in drawn.into_iter().zip(&study.points) {
+            let row = numbers(row);
+            assert_eq!(row[..2], point.u, "{given}");
+            assert_eq!(
+                (row[2], row[10] == 1.0),
+                (point.uc, point.is_delta),
+                "{given}"
+            );
+            assert_eq!(row[3..6], point.direction.to_array(), "{given}");
+            for (f, weight) in row[6..9].iter().zip(point.weight) {
+                assert_eq!(f * row[5].abs() / row[9], weight, "{given}");
+            }
+        }
+    }
+}

@@ -1,8 +1,10 @@
 //! The physical check badges, by accessible label.
 
 use brdf_explorer::analysis::Hold;
+use brdf_explorer::bxdf::{Component, Material};
 use brdf_explorer::lab::contract::{LawId, check_physical};
 use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::session::Session;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -152,4 +154,53 @@ fn the_laws_stand_in_one_line() {
     let last = rect("Isotropy of Rough conductor: anisotropic");
     assert_eq!(first.top(), last.top());
     assert!(last.right() < brdf_explorer::ui::theme::SIDE_WIDTH);
+}
+
+/// Two lobes that add up to more than one.
+fn bright() -> Material {
+    let lobes = ["lambertian_reflection:reflectance=.9", "rough_conductor"];
+    let lobes = lobes.map(|text| text.parse().unwrap()).to_vec();
+    Material::new(lobes).unwrap()
+}
+
+#[test]
+fn lobes_that_add_up_say_so_and_are_scaled_in_one_step() {
+    let before = bright();
+    let mut harness = picture(
+        Session::of(before.clone()),
+        None,
+        [1280, 800],
+        egui::Theme::Dark,
+    )
+    .harness()
+    .unwrap();
+    let reports = check_physical(&before, &|| true).unwrap();
+    let energy = reports.into_iter().find(|one| one.law == LawId::Energy);
+    let energy = energy.unwrap();
+    let sentence = energy.sentence().unwrap();
+    assert!(sentence.ends_with("more leaves than arrives, because the lobes add up"));
+    assert!(harness.query_by_label(&sentence).is_some(), "{sentence}");
+    click(&mut harness, "Go there");
+    let session = &harness.state().session;
+    assert!(session.held().distance(energy.witness.wi.unwrap()) < 1e-9);
+    click(&mut harness, "Scale the weights");
+    let title = before.title();
+    let kept = format!("Energy of {title}: kept");
+    assert!(harness.query_by_label(&kept).is_some());
+    assert!(harness.query_by_label("Scale the weights").is_none());
+    let after = harness.state().session.material().clone();
+    let weights: Vec<f64> = after.components().iter().map(Component::weight).collect();
+    let [first, second] = weights[..] else {
+        panic!("{weights:?}");
+    };
+    assert!(first == second && first < 1.0 / (1.0 + energy.worst) && first > 0.4);
+    click(&mut harness, "Undo");
+    assert_eq!(*harness.state().session.material(), before);
+}
+
+#[test]
+fn what_keeps_energy_needs_no_remedy() {
+    let harness = window("gold");
+    assert!(harness.query_by_label("Energy of Gold: kept").is_some());
+    assert!(harness.query_by_label("Scale the weights").is_none());
 }

@@ -43,6 +43,75 @@ fn single_keys_change_how_things_are_shown() {
 }
 
 #[test]
+fn what_a_single_key_did_is_said_for_two_seconds() {
+    let mut harness = window_of(&["gold", "phong"]);
+    for (key, said) in [
+        (Key::L, "Logarithmic radius: on"),
+        (Key::L, "Logarithmic radius: off"),
+        (Key::H, "Held: viewer"),
+        (Key::C, "Times cos θ: on"),
+        (Key::A, "Angles of the held direction: on"),
+        (Key::S, "Shown alone: Gold"),
+        (Key::R, "R, G and B: on"),
+        (Key::S, "All materials are shown that are not hidden"),
+        (Key::R, "Not possible now: Luminance, or R, G and B"),
+    ] {
+        press(&mut harness, Modifiers::NONE, key);
+        assert!(harness.query_by_label(said).is_some(), "{said}");
+    }
+    // A frame is a quarter of a second.
+    let said = "Logarithmic radius: on";
+    press(&mut harness, Modifiers::NONE, Key::L);
+    harness.run_steps(2);
+    assert!(harness.query_by_label(said).is_some());
+    harness.run_steps(8);
+    assert!(harness.query_by_label(said).is_none());
+}
+
+#[test]
+fn keys_run_in_their_order_until_a_text_has_the_focus() {
+    let mut harness = window("gold");
+    let event = |key, modifiers| egui::Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    };
+    let text = |text: &str| egui::Event::Text(text.to_owned());
+    // All within one frame: C acts, L is typed.
+    harness.input_mut().events = vec![
+        event(Key::C, Modifiers::NONE),
+        text("c"),
+        event(Key::M, Modifiers::COMMAND),
+        event(Key::L, Modifiers::NONE),
+        text("l"),
+    ];
+    harness.step();
+    harness.run();
+    let session = &harness.state().session;
+    assert!(session.with_cosine && !session.scale.is_logarithmic());
+    let typed = harness.get_by_label("Search materials").value();
+    assert_eq!(typed.as_deref(), Some("l"));
+}
+
+#[test]
+fn a_letter_that_is_held_acts_once() {
+    let mut harness = window("gold");
+    for _ in 0..4 {
+        harness.event(egui::Event::Key {
+            key: Key::C,
+            physical_key: None,
+            pressed: true,
+            repeat: true,
+            modifiers: Modifiers::NONE,
+        });
+        harness.run();
+    }
+    assert!(harness.state().session.with_cosine);
+}
+
+#[test]
 fn keys_that_are_typed_into_a_field_run_nothing() {
     let mut harness = window("rough_conductor");
     let before = harness.state().session.clone();
@@ -101,7 +170,7 @@ fn a_command_is_searched_and_run() {
     search(&mut harness, "xyzzy");
     assert!(
         harness
-            .query_by_label("No command has these words")
+            .query_by_label_contains("No command has these words")
             .is_some()
     );
     press(&mut harness, Modifiers::NONE, Key::Escape);

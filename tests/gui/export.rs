@@ -99,7 +99,10 @@ fn tables_have_every_digit_and_their_units() {
     let mut lines = table.lines();
     assert_eq!(
         lines.next(),
-        Some("material,angle (degrees),f_r (1/sr),f_g (1/sr),f_b (1/sr)")
+        Some(
+            "material,angle (degrees),f_r (1/sr),f_g (1/sr),f_b (1/sr),f_luminance (1/sr),\
+             delta_r,delta_g,delta_b,delta_luminance"
+        )
     );
     let mut data = Data::new(None, || {});
     for entry in shown.materials.iter() {
@@ -107,11 +110,14 @@ fn tables_have_every_digit_and_their_units() {
         for point in curve.lines.iter().flatten() {
             let mut cells = lines.next().unwrap().split(',');
             assert_eq!(cells.next(), Some(shown.materials.title(entry).as_str()));
-            let numbers: Vec<u64> = cells
-                .map(|cell| cell.parse::<f64>().unwrap().to_bits())
-                .collect();
+            let (numbers, empty): (Vec<&str>, Vec<&str>) = cells.partition(|cell| !cell.is_empty());
+            assert_eq!(empty.len(), 4, "no delta");
+            let numbers = numbers.into_iter();
+            let numbers = numbers.map(|cell| cell.parse::<f64>().unwrap().to_bits());
             let [r, g, b] = point.value;
-            assert_eq!(numbers, [point.x_deg, r, g, b].map(f64::to_bits));
+            let y = brdf_explorer::analysis::Channel::Luminance.of(point.value);
+            let expected = [point.x_deg, r, g, b, y].map(f64::to_bits);
+            assert_eq!(numbers.collect::<Vec<u64>>(), expected);
         }
     }
     assert_eq!(lines.next(), None);
@@ -215,7 +221,7 @@ fn what_cannot_be_exported_is_said_in_a_line() {
         (
             vec![
                 "--material",
-                "specular_reflection",
+                "specular_reflection:reflectance=0",
                 "--view",
                 "lobe3d",
                 "-o",

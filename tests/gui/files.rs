@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::session::{MaterialEntry, Session};
-use brdf_explorer::ui::store::{Dialogs, Disk, Question, Store};
+use brdf_explorer::ui::store::{Answer, Dialogs, Disk, Files, Question, Store};
 use egui::{Event, Key, Modifiers, OutputCommand, ThemePreference};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -17,9 +17,9 @@ use super::{Folder, session, window, window_of};
 
 /// What is asked, and what is answered, in this order.
 #[derive(Default)]
-struct Script {
-    asked: Vec<Question>,
-    answers: Vec<Option<PathBuf>>,
+pub(super) struct Script {
+    pub(super) asked: Vec<Question>,
+    pub(super) answers: Vec<Answer>,
 }
 
 /// Dialogs that answer from a script.
@@ -38,7 +38,7 @@ impl Dialogs for Scripted {
         self.open.is_some()
     }
 
-    fn answer(&mut self) -> Option<(Question, Option<PathBuf>)> {
+    fn answer(&mut self) -> Option<(Question, Answer)> {
         let answer = self.script.borrow_mut().answers.pop()?;
         Some((self.open.take()?, answer))
     }
@@ -59,13 +59,21 @@ impl egui::DroppedFile for Dropped {
 }
 
 /// Lets the application keep its own in `folder`, and returns what answers its dialogs.
-fn work_in(harness: &mut Harness<'_, App>, folder: &Folder) -> Rc<RefCell<Script>> {
+pub(super) fn work_in(harness: &mut Harness<'_, App>, folder: &Folder) -> Rc<RefCell<Script>> {
+    work_on(harness, Arc::new(Disk), folder)
+}
+
+pub(super) fn work_on(
+    harness: &mut Harness<'_, App>,
+    files: Arc<dyn Files>,
+    folder: &Folder,
+) -> Rc<RefCell<Script>> {
     let script = Rc::new(RefCell::new(Script::default()));
     let dialogs = Scripted {
         script: Rc::clone(&script),
         open: None,
     };
-    let store = Store::new(Box::new(Disk), Some(folder.file("data")));
+    let store = Store::new(files, Some(folder.file("data")));
     let ctx = harness.ctx.clone();
     harness.state_mut().work_on(&ctx, store, Box::new(dialogs));
     harness.run();
@@ -79,7 +87,7 @@ fn file_menu(harness: &mut Harness<'_, App>, items: &[&str]) {
     }
 }
 
-fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
+pub(super) fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
     harness.key_press_modifiers(modifiers, key);
     harness.run();
 }
@@ -90,12 +98,12 @@ fn drop_file(harness: &mut Harness<'_, App>, path: &Path) {
     harness.run();
 }
 
-fn titles(harness: &Harness<'_, App>) -> Vec<String> {
+pub(super) fn titles(harness: &Harness<'_, App>) -> Vec<String> {
     let all = &harness.state().session.materials;
     all.iter().map(MaterialEntry::title).collect()
 }
 
-fn read(path: &Path) -> Session {
+pub(super) fn read(path: &Path) -> Session {
     Session::from_toml(&fs::read_to_string(path).unwrap(), "saved").unwrap()
 }
 
@@ -108,7 +116,7 @@ fn a_session_is_saved_and_opened() {
     file_menu(&mut harness, &["Save"]);
     let asked = Question::Save("session.toml".to_owned());
     assert_eq!(script.borrow().asked, [asked]);
-    script.borrow_mut().answers.push(Some(path.clone()));
+    script.borrow_mut().answers.push(Answer::File(path.clone()));
     harness.run_steps(3);
     assert_eq!(read(&path), harness.state().session);
     // It has a file now: nothing is asked.
@@ -123,7 +131,7 @@ fn a_session_is_saved_and_opened() {
 
     let mut other = window("chalk");
     let script = work_in(&mut other, &Folder::new("other"));
-    script.borrow_mut().answers.push(Some(path.clone()));
+    script.borrow_mut().answers.push(Answer::File(path.clone()));
     press(&mut other, Modifiers::COMMAND, Key::O);
     other.run_steps(3);
     assert_eq!(other.state().session, saved);
@@ -140,7 +148,7 @@ fn a_dialog_that_is_dismissed_changes_nothing() {
     let script = work_in(&mut harness, &folder);
     let before = harness.state().session.clone();
     for item in ["Open…", "Save as…"] {
-        script.borrow_mut().answers.push(None);
+        script.borrow_mut().answers.push(Answer::Dismissed);
         file_menu(&mut harness, &[item]);
         harness.run_steps(2);
         assert_eq!(harness.state().session, before);
@@ -175,11 +183,7 @@ fn files_that_cannot_be_read_are_told_of_and_the_session_stays() {
     for (name, bytes, said) in [
         ("letter.txt", &b"Dear all,\nsee below."[..], "line 1"),
         ("picture.png", b"\x89PNG\xff", "no text"),
-        (
-            "huge.toml",
-            &vec![b'#'; 2_000_000],
-            "more than 1048576 bytes",
-        ),
+        ("huge.toml", &vec![b'#'; (32 << 20) + 1], "more than 32 MiB"),
         ("cut.toml", &whole.as_bytes()[..400], "the file is cut off"),
         ("odd.toml", b"flavour = 1", "unknown field"),
         ("newer.toml", newer.as_bytes(), "a newer one is needed"),
@@ -200,7 +204,7 @@ fn a_place_that_cannot_be_written_is_told_of() {
     let mut harness = window("gold");
     let script = work_in(&mut harness, &folder);
     let nowhere = folder.file("no/such/folder/mine.toml");
-    script.borrow_mut().answers.push(Some(nowhere));
+    script.borrow_mut().answers.push(Answer::File(nowhere));
     file_menu(&mut harness, &["Save as…"]);
     harness.run_steps(3);
     assert!(harness.query_by_label_contains("mine.toml").is_some());
@@ -219,6 +223,7 @@ fn the_session_is_restored_at_the_next_start() {
     let kept = folder.file("data/session.toml");
     assert_eq!(read(&kept), harness.state().session);
     let left = harness.state().session.clone();
+    drop(harness);
 
     let mut next = window("chalk");
     work_in(&mut next, &folder);
@@ -226,6 +231,7 @@ fn the_session_is_restored_at_the_next_start() {
     press(&mut next, Modifiers::COMMAND, Key::Z);
     assert_eq!(next.state().session, left, "there is nothing to undo yet");
 
+    drop(next);
     // A broken one is told of, and the one before it is taken.
     fs::write(&kept, "theta_deg = \"steep\"").unwrap();
     let mut third = window("chalk");
@@ -296,7 +302,10 @@ fn the_theme_is_the_systems_until_one_is_chosen_and_then_kept() {
 
 /// Chooses a kind of file in the menu of the polar plot, answers the dialog, and waits until it is written.
 fn export(harness: &mut Harness<'_, App>, script: &Rc<RefCell<Script>>, kind: &str, path: &Path) {
-    script.borrow_mut().answers.push(Some(path.to_owned()));
+    script
+        .borrow_mut()
+        .answers
+        .push(Answer::File(path.to_owned()));
     for label in ["Export Polar plot", kind] {
         harness.get_by_label(label).click();
         harness.run_steps(4);

@@ -1,7 +1,9 @@
 //! Every gesture of the window, by accessible label.
 
-use brdf_explorer::analysis::{Hold, RadialScale};
+use brdf_explorer::analysis::{Detail, Hold, RadialScale};
 use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::platform;
+use brdf_explorer::ui::session::Session;
 use egui::{Modifiers, Pos2, Role, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -74,7 +76,7 @@ fn searching_narrows_the_list_and_edits_are_kept() {
     harness.run();
     assert!(
         harness
-            .query_by_label_contains("No model has this name")
+            .query_by_label_contains("No model or material has these words")
             .is_some()
     );
     for _ in 0..8 {
@@ -184,8 +186,12 @@ fn the_held_direction_is_dragged_in_the_polar_plot() {
         session.phi_deg
     );
     assert_eq!(session.section_azimuth_deg(), 0.0);
-    // Below the horizon too: light may come from inside.
+    // Not below the horizon: nothing would be left to see above it.
     drag_label(&mut harness, IN_POLAR, vec2(0.0, 300.0));
+    assert_eq!(harness.state().session.theta_deg, 90.0);
+    // Where light passes through, it may come from inside.
+    let mut harness = window("fresnel_specular");
+    drag_label(&mut harness, IN_POLAR, vec2(-100.0, 300.0));
     assert!(harness.state().session.theta_deg > 90.0);
 }
 
@@ -349,7 +355,33 @@ fn the_window_rests_when_nothing_happens() {
 
 #[test]
 fn the_first_step_is_named_and_no_time_is_shown() {
-    let harness = window("rough_conductor");
+    let mut harness = window("rough_conductor");
     assert!(harness.query_by_label_contains("Try this").is_some());
-    assert!(harness.query_by_label("Update -").is_some());
+    harness.get_by_label("Up to date").hover();
+    harness.run_steps(8);
+    assert!(harness.query_by_label_contains(" ms").is_none());
+}
+
+#[test]
+fn how_long_an_update_took_is_told_to_who_points_there() {
+    let mut harness = Harness::builder()
+        .with_size(vec2(1280.0, 800.0))
+        .with_max_steps(32)
+        .build_eframe(|cc| App::new(cc, Session::default(), None, Some(platform::seconds)));
+    let begin = std::time::Instant::now();
+    while harness.state().shown() != Some(Detail::Full)
+        || harness.query_by_label("Up to date").is_none()
+    {
+        assert!(begin.elapsed().as_secs() < 60, "the answers never come");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+        harness.step();
+    }
+    assert!(harness.query_by_label_contains(" ms").is_none());
+    harness.get_by_label("Up to date").hover();
+    harness.run_steps(8);
+    assert!(
+        harness
+            .query_by_label_contains("the last change took")
+            .is_some()
+    );
 }

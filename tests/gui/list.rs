@@ -301,7 +301,11 @@ fn rubbish_in_the_clipboard_is_refused_and_nothing_is_lost() {
         ("Dear all,\nsee below.", "clipboard: line 1"),
         ("", "there is nothing in it"),
         ("phong:exponent=-1", "phong: exponent = -1: allowed is"),
-        (&"spam ".repeat(2_000_000), "10000000 bytes"),
+        (&"spam ".repeat(2_000_000), "unknown material 'spam spam"),
+        (
+            &"spam ".repeat(7_000_000),
+            "33.4 MiB of text; the limit is 32 MiB",
+        ),
     ] {
         paste(&mut harness, text);
         assert!(is_said(&harness, said), "{said}");

@@ -1,19 +1,33 @@
 //! The window, driven through accessible labels and compared with stored pictures.
 
-#![expect(clippy::unwrap_used, reason = "a failed step is a failed test")]
+#![expect(
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "a failed step is a failed test"
+)]
 
 mod badges;
 mod commands;
+mod deltas;
+mod drawing;
 mod export;
 mod files;
+mod gestures;
 mod history;
 mod interaction;
+mod keeping;
 mod list;
 mod materials;
+mod number_field;
+mod numbers;
 mod overlay;
+mod picker;
 mod render;
 mod screenshots;
+mod tables;
 mod tiles;
+mod typing;
 mod views;
 mod workers;
 

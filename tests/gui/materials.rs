@@ -13,6 +13,13 @@ fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.run();
 }
 
+/// Scrolls to what may lie below the fold, and clicks it.
+fn reach(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_label(label).scroll_to_me();
+    harness.run();
+    click(harness, label);
+}
+
 /// Adds a lobe of the model with this title, found in this category.
 fn add_lobe(harness: &mut Harness<'_, App>, [category, title]: [&str; 2]) {
     harness.get_by_label("Add a lobe…").scroll_to_me();
@@ -70,12 +77,17 @@ fn a_named_material_is_searched_and_chosen() {
             .query_by_role_and_label(Role::Slider, "Alpha x")
             .is_some()
     );
+    // Both lists are searched, whichever is shown.
     click(&mut harness, "Models");
     assert!(
         harness
-            .query_by_label_contains("No model has this name")
+            .query_by_role_and_label(Role::Button, "Gold")
             .is_some()
     );
+    click(&mut harness, "Clear the search");
+    assert!(harness.query_by_label("Clear the search").is_none());
+    // What is left is the list in which the chosen one stands.
+    assert!(harness.query_by_label("Search materials").is_some());
 }
 
 #[test]
@@ -150,9 +162,13 @@ fn lobes_are_added_weighed_and_removed() {
     add_lobe(&mut harness, PHONG);
     assert_eq!(
         shown(&harness).to_string(),
-        "lambertian_reflection + 0.25 * phong"
+        "lambertian_reflection + 0.2 * phong"
     );
+    // There is no more room beside a reflectance of 0.8, and it is said.
+    let said = "Phong starts with weight 0.2: with more, more light would leave than arrives";
+    assert!(harness.query_by_label(said).is_some());
     slide(&mut harness, "Weight of lobe 2", 0.5);
+    assert!(harness.query_by_label(said).is_none());
     assert_eq!(shown(&harness).components()[1].weight(), 0.5);
     // Its parameters fold away.
     assert!(
@@ -160,16 +176,16 @@ fn lobes_are_added_weighed_and_removed() {
             .query_by_role_and_label(Role::Slider, "Exponent of lobe 2")
             .is_some()
     );
-    click(&mut harness, "Parameters of lobe 2, Phong");
+    reach(&mut harness, "Parameters of lobe 2, Phong");
     assert!(
         harness
             .query_by_role_and_label(Role::Slider, "Exponent of lobe 2")
             .is_none()
     );
-    click(&mut harness, "Remove lobe 1, Lambertian reflection");
+    reach(&mut harness, "Remove lobe 1, Lambertian reflection");
     assert_eq!(shown(&harness).to_string(), "0.5 * phong");
     // A single lobe shows a weight that is not 1.
-    click(&mut harness, "Reset Weight");
+    reach(&mut harness, "Reset Weight");
     assert_eq!(shown(&harness).to_string(), "phong");
     assert!(
         harness
@@ -195,7 +211,7 @@ fn lobes_that_light_crosses_share_the_index() {
     add_lobe(&mut harness, ["Diffuse", "Lambertian transmission"]);
     assert_eq!(*shown(&harness), before);
     assert!(harness.query_by_label_contains(disagree).is_some());
-    click(&mut harness, "Remove lobe 2, Rough dielectric");
+    reach(&mut harness, "Remove lobe 2, Rough dielectric");
     assert!(harness.query_by_label_contains(disagree).is_none());
 }
 

@@ -7,11 +7,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
+use super::deltas::{self, Stem};
 use super::half_difference::{HalfDifference, Spherical, half_difference, pair};
 use super::lobe::{HeldLobe, off_horizon, pair_values};
 use super::polar::{UNIFORM_STEP_DEG, direction, seed_angles};
 use super::refine::{Curve as Places, MIDDLE_AND_BESIDE, first_places, is_on_chord, peaks, refine};
 use super::{Detail, IsWanted, Question, RadialScale, Subject};
+use crate::bxdf::Side;
+use crate::bxdf::math::frame;
 
 /// The angle that f is shown over.
 #[derive(
@@ -99,6 +102,8 @@ pub struct Curve {
     pub lines: Vec<Vec<Point>>,
     /// The largest magnitude of any channel.
     pub peak: f64,
+    /// The Dirac deltas over the same angle, less those of the surface compared with: they are no values of the curve.
+    pub stems: Vec<Stem>,
 }
 
 /// The curve of `subject` that `request` asks for: its chords leave it by at most a thousandth of the plot's height,
@@ -115,7 +120,8 @@ pub fn curve(subject: &Subject<'_>, request: &Request) -> Curve {
     };
     let values = lines.iter().flatten().flat_map(|point| point.value);
     let peak = values.map(f64::abs).fold(0.0, f64::max);
-    Curve { lines, peak }
+    let stems = plot.stems();
+    Curve { lines, peak, stems }
 }
 
 /// What `request` shows of `subject` at `x_deg` degrees: the value that the curve has there.
@@ -202,6 +208,42 @@ impl<'a> Plot<'a> {
                 lobes.flat_map(of).chain(graded()).collect()
             }
         }
+    }
+
+    /// The deltas. Over half and difference angles those that mirror stand at theta_h = 0, whatever theta_d, with the share
+    /// of their own theta_d: the one of the plot, or the held direction's. What crosses the surface has no half vector there.
+    fn stems(&self) -> Vec<Stem> {
+        let subject = Subject {
+            against: self.against,
+            ..Subject::of(self.lobe)
+        };
+        let (theta_d, x_deg, is_inside) = match self.request.abscissa {
+            Abscissa::Free => {
+                return deltas::in_section(&deltas::differences(&subject), self.request.phi);
+            }
+            Abscissa::Half => (self.request.fixed_deg, 0.0, true),
+            Abscissa::Difference => {
+                let held = frame::theta(self.lobe.held()).to_degrees();
+                let held = held.min(180.0 - held);
+                (held, held, self.request.fixed_deg == 0.0)
+            }
+        };
+        let (_, wi) = self.request.half_pair(0.0, theta_d);
+        let at = |lobe: HeldLobe<'a>| HeldLobe::new(lobe.surface(), lobe.hold(), wi);
+        let subject = Subject {
+            against: self.against.map(at),
+            ..Subject::of(at(self.lobe))
+        };
+        let found = deltas::differences(&subject).into_iter();
+        found
+            .filter(|arrow| arrow.side == Side::Reflection)
+            .map(|arrow| Stem {
+                x_deg,
+                flux: arrow.flux,
+                side: arrow.side,
+                is_inside,
+            })
+            .collect()
     }
 
     /// The line over `range`, in radians; `known`: where the surfaces have something.

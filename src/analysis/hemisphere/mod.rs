@@ -4,6 +4,7 @@
 //! The equal-area disc is the azimuthal projection of Lambert; both projections as in `snyder1987`.
 
 pub mod contour;
+mod deltas;
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -11,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::raster::Raster;
 use super::scale::Channel;
 use super::{Detail, HeldLobe, IsWanted, Question, Subject};
+pub use deltas::DeltaValue;
 
 /// How directions of one side of the surface are laid out over the unit disc, n in the middle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -90,6 +92,23 @@ impl Quantity {
             Self::Pdf => "pdf",
             Self::Weight => "f cos / pdf",
         }
+    }
+
+    /// The word for it in files.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::F => "f",
+            Self::FCos => "f_cos",
+            Self::Pdf => "pdf",
+            Self::Weight => "weight",
+        }
+    }
+
+    /// f, or f |cos(theta)|.
+    #[must_use]
+    pub const fn of_f(with_cosine: bool) -> Self {
+        if with_cosine { Self::FCos } else { Self::F }
     }
 
     /// The unit; empty for a number without one.
@@ -230,7 +249,7 @@ impl Question for Request {
             let row = directions.into_iter().map(value);
             row.map(|value| value.unwrap_or([f64::NAN; 3])).collect()
         })?;
-        Some(Map::new(raster))
+        Some(Map::new(raster, self.deltas(subject)))
     }
 }
 
@@ -289,12 +308,14 @@ impl Range {
 pub struct Map {
     /// The values per channel, s to the right and t up; NaN outside the disc and where the value is undefined.
     pub raster: Raster<[f64; 3]>,
+    /// The Dirac deltas, on both sides: they are no values of the map.
+    pub deltas: Vec<DeltaValue>,
     /// By channel, luminance first.
     ranges: Vec<(Channel, Range)>,
 }
 
 impl Map {
-    fn new(raster: Raster<[f64; 3]>) -> Self {
+    fn new(raster: Raster<[f64; 3]>, deltas: Vec<DeltaValue>) -> Self {
         let channels = [
             Channel::Luminance,
             Channel::Red,
@@ -307,6 +328,7 @@ impl Map {
         };
         Self {
             ranges: channels.map(range).to_vec(),
+            deltas,
             raster,
         }
     }

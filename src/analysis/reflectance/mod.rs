@@ -51,6 +51,13 @@ impl Reflectance {
         [1.0 - r0 - t0, 1.0 - r1 - t1, 1.0 - r2 - t2]
     }
 
+    /// The share that leaves, on both sides together.
+    #[must_use]
+    pub fn leaving(&self) -> [f64; 3] {
+        let [[r0, r1, r2], [t0, t1, t2]] = [self.reflection, self.transmission];
+        [r0 + t0, r1 + t1, r2 + t2]
+    }
+
     /// The share that leaves, in the channel where it is largest: above 1 energy is created.
     #[must_use]
     pub fn largest(&self) -> f64 {

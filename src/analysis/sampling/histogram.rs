@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{Draws, Point, drawn};
+use super::{Point, Samples, drawn};
 use crate::analysis::quadrature::integrate_square;
 use crate::analysis::statistics::{ChiSquare, chi_square};
 use crate::analysis::{HeldLobe, IsWanted};
@@ -242,7 +242,7 @@ impl Patch {
 }
 
 /// Patches that cover the sphere, cut at the medians of `pilots`.
-fn patches(lobe: &HeldLobe<'_>, pilots: &Draws) -> Vec<Patch> {
+fn patches(lobe: &HeldLobe<'_>, pilots: &Samples) -> Vec<Patch> {
     // Azimuths begin where most lobes have a plane of symmetry, far from where most are.
     let first_phi = frame::phi(lobe.held());
     let mut patches = Vec::new();

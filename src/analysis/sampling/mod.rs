@@ -1,6 +1,7 @@
 //! What `sample_f` does for the held direction, which stands in wo's place whichever is held: its samples, how they are
 //! distributed and what they weigh, and what they are worth against samples that do not know the lobe.
 
+mod draws;
 mod estimator;
 mod histogram;
 pub mod warp;
@@ -8,14 +9,12 @@ pub mod warp;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::lobe::triples;
 use super::polar::{self, section};
 use super::scale::RadialScale;
-use super::statistics::Random;
 use super::{Detail, HeldLobe, IsWanted, Question, Subject};
-use crate::bxdf::batch::{Job, Path};
 use crate::bxdf::optics::spectrum::luminance;
 
+pub use draws::{CHUNK, Draw, Draws, FIRST_SEED};
 pub use estimator::Estimator;
 pub use histogram::{Cell, Histogram, WeightBin, WeightHistogram};
 pub use warp::{Warp, WarpRequest};
@@ -113,7 +112,7 @@ impl Question for Request {
             Detail::Coarse => self.count.div_ceil(COARSER),
             Detail::Full => self.count,
         };
-        let Draws { points, lost } = drawn(&lobe, count, self.seed, is_wanted)?;
+        let Samples { points, lost } = drawn(&lobe, count, self.seed, is_wanted)?;
         let wants = |part: Part| self.part == Part::All || self.part == part;
         let mut study = Study::default();
         if wants(Part::Histogram) {
@@ -134,66 +133,39 @@ impl Question for Request {
 }
 
 /// Samples, and how many draws gave none.
-struct Draws {
+struct Samples {
     points: Vec<Point>,
     lost: usize,
 }
 
-/// Draws that have a generator of their own.
-const CHUNK: usize = 2048;
-
 /// `count` draws of `sample_f` for the direction held by `lobe`; `None` where they were not wanted to the end.
-fn drawn(lobe: &HeldLobe<'_>, count: usize, seed: u64, is_wanted: IsWanted<'_>) -> Option<Draws> {
+fn drawn(lobe: &HeldLobe<'_>, count: usize, seed: u64, is_wanted: IsWanted<'_>) -> Option<Samples> {
     let chunk = |index: usize| {
-        let size = CHUNK.min(count - index * CHUNK);
-        // The high bits tell the chunks apart, and none of them from the generators of other purposes.
-        let mut random = Random::new(seed ^ ((index as u64 + 1) << 32));
-        is_wanted().then(|| chunk(lobe, size, &mut random))
+        let first = index * CHUNK;
+        let size = CHUNK.min(count - first);
+        is_wanted().then(|| chunk(lobe, seed, first as u64, size))
     };
     let chunks = (0..count.div_ceil(CHUNK)).into_par_iter().map(chunk);
     let chunks: Vec<Vec<Point>> = chunks.collect::<Option<_>>()?;
     let points: Vec<Point> = chunks.into_iter().flatten().collect();
-    Some(Draws {
+    Some(Samples {
         lost: count - points.len(),
         points,
     })
 }
 
-/// The samples of `count` draws.
-fn chunk(lobe: &HeldLobe<'_>, count: usize, random: &mut Random) -> Vec<Point> {
-    let numbers = (0..count).map(|_| (random.unit(), random.unit(), random.unit()));
-    let (uc, (u, v)): (Vec<_>, (Vec<_>, Vec<_>)) = numbers.map(|(uc, u, v)| (uc, (u, v))).unzip();
-    let held = lobe.held().to_array().map(|x| vec![x; count]);
-    let mut wi = [(); 3].map(|()| vec![0.0; count]);
-    let mut f = wi.clone();
-    let (mut pdf, mut delta) = (vec![0.0; count], vec![0.0; count]);
-    let job = Job::Sample {
-        wo: held.each_ref().map(Vec::as_slice),
-        uc: &uc,
-        u: [&u, &v],
-        wi: wi.each_mut().map(Vec::as_mut_slice),
-        f: f.each_mut().map(Vec::as_mut_slice),
-        pdf: &mut pdf,
-        delta: &mut delta,
+/// The samples of `count` draws from number `first` on.
+fn chunk(lobe: &HeldLobe<'_>, seed: u64, first: u64, count: usize) -> Vec<Point> {
+    let draws = Draws::new(lobe.surface(), lobe.held().into(), seed, first, count);
+    let found = draws.iter().filter(|draw| !draw.is_lost());
+    let point = |draw: Draw<f64>| Point {
+        u: draw.u,
+        uc: draw.uc,
+        direction: draw.wi.into(),
+        weight: draw.f.map(|f| f * draw.wi.z.abs() / draw.pdf),
+        is_delta: draw.is_delta,
     };
-    lobe.surface().batch(Path::Dispatched, job);
-    let mut points = Vec::with_capacity(count);
-    let numbers = uc.into_iter().zip(u.into_iter().zip(v));
-    let drawn = triples(&wi).into_iter().zip(triples(&f));
-    let densities = pdf.into_iter().zip(delta);
-    for ((uc, (u, v)), ((wi, f), (pdf, delta))) in numbers.zip(drawn.zip(densities)) {
-        if pdf > 0.0 {
-            let direction = DVec3::from(wi);
-            points.push(Point {
-                u: [u, v],
-                uc,
-                direction,
-                weight: f.map(|f| f * direction.z.abs() / pdf),
-                is_delta: delta > 0.0,
-            });
-        }
-    }
-    points
+    found.map(point).collect()
 }
 
 /// The luminance of the integral of f |cos(theta)| over the sphere, without deltas.

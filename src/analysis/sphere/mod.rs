@@ -12,11 +12,11 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::{Detail, IsWanted, Question, Raster, Subject};
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::frame::direction_from_degrees;
 
 use dome::Dome;
-pub use pair::{Normal, normal_of, pair_at};
+pub use pair::{Normal, glint, normal_of, pair_at};
 use scene::{Frame, Scene};
 
 /// What the sphere is lit by.
@@ -180,25 +180,21 @@ const IRRADIANCE: f64 = std::f64::consts::PI;
 
 /// The radiance where the normals are `normals`, under a directional light towards `light`.
 fn directional(subject: &Subject<'_>, light: DVec3, normals: &[DVec3]) -> Vec<[f64; 3]> {
-    let mut pairs = [(); 6].map(|()| Vec::with_capacity(normals.len()));
-    for n in normals {
+    let pairs = normals.iter().map(|n| {
         let frame = Frame::at(*n);
         let (wo, wi) = (frame.local(DVec3::Z), frame.local(light));
-        let components = [wo.x, wo.y, wo.z, wi.x, wi.y, wi.z];
-        pairs
-            .iter_mut()
-            .zip(components)
-            .for_each(|(all, x)| all.push(x));
-    }
-    let [ox, oy, oz, ix, iy, iz] = &pairs;
-    let mut channels = [(); 3].map(|()| vec![0.0; normals.len()]);
+        [wo.x, wo.y, wo.z, wi.x, wi.y, wi.z]
+    });
+    let pairs = Columns::from_rows(pairs);
+    let [ox, oy, oz, ix, iy, iz] = pairs.slices();
+    let mut f = Columns::filled(0.0, normals.len());
     let job = Job::F {
         wo: [ox, oy, oz],
         wi: [ix, iy, iz],
-        f: channels.each_mut().map(Vec::as_mut_slice),
+        f: f.slices_mut(),
     };
     subject.lobe.surface().batch(Path::Dispatched, job);
-    let values = super::lobe::triples(&channels).into_iter().zip(iz);
+    let values = f.rows().zip(iz);
     values
         .map(|(f, cos)| f.map(|f| f * cos.abs() * IRRADIANCE))
         .collect()

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::scene::Frame;
 use crate::analysis::half_difference::half_difference;
+use crate::analysis::{HeldLobe, deltas};
 use crate::bxdf::math::frame;
 
 /// The pair of directions (wo, wi) in the shading frame at the point `place` of the sphere, which is lit from the unit
@@ -16,6 +17,17 @@ pub fn pair_at(light: DVec3, place: [f64; 2]) -> Option<(DVec3, DVec3)> {
     let square = x * x + y * y;
     let frame = (square < 1.0).then(|| Frame::at(DVec3::new(x, y, (1.0 - square).sqrt())))?;
     Some((frame.local(DVec3::Z).into(), frame.local(light).into()))
+}
+
+/// Where a mirror shows the light itself, x to the right and y up, in radii, and the share of its flux that the surface of
+/// `lobe` mirrors there, per channel: a Dirac delta, which is no radiance. `None` where it mirrors nothing, and where the
+/// sphere, lit from the unit vector `light`, hides the light.
+#[must_use]
+pub fn glint(lobe: &HeldLobe<'_>, light: DVec3) -> Option<([f64; 2], [f64; 3])> {
+    let half = (light + DVec3::Z).try_normalize()?;
+    let theta_d = 0.5 * frame::angle_between(light, DVec3::Z).to_degrees();
+    let flux = deltas::mirrored(lobe, frame::direction_from_degrees(theta_d, 0.0))?;
+    Some(([half.x, half.y], flux))
 }
 
 /// A point of the sphere.

@@ -18,7 +18,10 @@ use kernels::{
 use super::Bxdf;
 use super::math::Real;
 
+mod columns;
 mod kernels;
+
+pub use columns::Columns;
 
 /// Many directions: their components along s, t and n. The slices are of one length.
 pub type Directions<'a, R> = [&'a [R]; 3];

@@ -7,7 +7,7 @@ pub mod gaussian_slopes;
 use super::math::{Real, Vec3, warp};
 use super::microfacet::{Pair, evaluated_by_pair};
 use super::optics::Spectrum;
-use super::param::{ParamSpec, Scale};
+use super::param::{ParamSet, ParamSpec, Scale};
 use super::{Bxdf, Category, Lobe, Sample, reflected_direction, sample_reflection};
 
 /// The lobes of a [`Mixture`], in its order.
@@ -29,6 +29,18 @@ pub const SPECULAR: ParamSpec = ParamSpec::rgb(
     [1.0; 3],
     "Share of the light that is reflected into the glossy lobe, per channel",
 );
+
+/// Whether [`DIFFUSE`] and [`SPECULAR`] are more than 1 together in a channel: the two are free.
+#[must_use]
+pub fn exceeds_one(params: &ParamSet) -> bool {
+    let channels = params
+        .rgb("diffuse")
+        .into_iter()
+        .zip(params.rgb("specular"));
+    channels
+        .into_iter()
+        .any(|(diffuse, specular)| diffuse + specular > 1.0)
+}
 
 /// An exponent of hard range 1..1e4 with the given default, a logarithmic slider.
 #[must_use]

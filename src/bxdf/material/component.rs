@@ -4,11 +4,24 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crate::bxdf::param::{ParamSet, Value};
+use crate::bxdf::param::{ParamSet, ParamSpec, Value};
 use crate::bxdf::spec::{ModelSpec, Precision, StandIn};
 use crate::bxdf::table::Table;
 use crate::bxdf::{Bxdf, models};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, shown};
+
+/// The factor on all values of a component, as a parameter: files, sessions, sliders and the command line take the range from
+/// here.
+///
+/// A factor beyond 1 gives a faint lobe its due. The largest one keeps what it multiplies, and the sum of as many lobes as a
+/// material may have, far within the numbers of every precision.
+pub static WEIGHT: ParamSpec = ParamSpec::number(
+    "weight",
+    1.0,
+    "Factor on all values of this lobe; weights need not sum to 1",
+)
+.hard(0.0, 1000.0)
+.soft(0.0, 1.0);
 
 /// A model of the catalogue at validated parameters, and the factor with which a material takes it.
 #[derive(Clone)]
@@ -29,7 +42,7 @@ impl Component {
         }
     }
 
-    /// The factor on its value, at least 0; 1 at first.
+    /// The factor on its value, within the range of [`WEIGHT`]; 1 at first.
     #[must_use]
     pub fn weight(&self) -> f64 {
         self.weight
@@ -38,14 +51,14 @@ impl Component {
     /// Sets the factor on its value.
     ///
     /// # Errors
-    /// [`Error::Parameter`] unless it is a finite number and not below 0; the component is then unchanged.
+    /// [`Error::Parameter`] unless it lies in the range of [`WEIGHT`]; the component is then unchanged.
     pub fn set_weight(&mut self, weight: f64) -> Result<()> {
-        if !(weight >= 0.0 && weight.is_finite()) {
+        if !WEIGHT.allows(Value::Number(weight)) {
             return Err(Error::Parameter {
                 model: self.model.id.to_owned(),
-                name: "weight".to_owned(),
+                name: WEIGHT.name.to_owned(),
                 value: weight.to_string(),
-                allowed: "allowed is a number not below 0".to_owned(),
+                allowed: WEIGHT.allowed(),
             });
         }
         self.weight = weight;
@@ -171,9 +184,7 @@ impl FromStr for Component {
     /// Reads `id` or `id:name=value,name=value`, weight 1; all parameters together must be allowed, their order does not matter.
     fn from_str(text: &str) -> Result<Self> {
         let (id, assignments) = text.split_once(':').unwrap_or((text, ""));
-        let model = models::find(id.trim())?;
-        let mut params = model.defaults();
-        let mut given: Vec<&str> = Vec::new();
+        let mut component = Assignments::of(models::find(id.trim())?);
         for assignment in assignments
             .split(',')
             .map(str::trim)
@@ -181,24 +192,67 @@ impl FromStr for Component {
         {
             let (name, value) = assignment.split_once('=').ok_or_else(|| {
                 Error::parse(
-                    format!("material '{text}'"),
-                    format!("'{assignment}' is not name=value"),
+                    format!("material '{}'", shown(text)),
+                    format!("'{}' is not name=value", shown(assignment)),
                 )
             })?;
-            let name = name.trim();
-            if given.contains(&name) {
-                return Err(Error::parse(
-                    format!("material '{text}'"),
-                    format!("{name} is given twice"),
-                ));
-            }
-            given.push(name);
-            params.set_text(name, value.trim())?;
+            component.set(name.trim(), value.trim())?;
         }
-        (model.validate)(&params)?;
-        Ok(Self {
+        component.finish()
+    }
+}
+
+/// A component whose parameters are given one by one, by name, in any order: all together must be allowed, and none may be
+/// given twice.
+pub(super) struct Assignments {
+    model: &'static ModelSpec,
+    params: ParamSet,
+    /// What is given: a parameter, and the name under which it was.
+    given: Vec<(String, String)>,
+}
+
+impl Assignments {
+    /// `model`, nothing given yet.
+    pub(super) fn of(model: &'static ModelSpec) -> Self {
+        Self {
             model,
-            params,
+            params: model.defaults(),
+            given: Vec::new(),
+        }
+    }
+
+    /// Sets a parameter from its text, which is that of one value whatever it holds.
+    ///
+    /// # Errors
+    /// As [`ParamSet::set_text`], and [`Error::Parse`] where the parameter was given before, by this or another name.
+    pub(super) fn set(&mut self, name: &str, text: &str) -> Result<()> {
+        let targets = self.params.targets(name);
+        for target in &targets {
+            if let Some((_, before)) = self.given.iter().find(|(given, _)| given == target) {
+                let problem = if before == name {
+                    format!("{} is given twice", shown(name))
+                } else {
+                    format!("{before} and {name} both set {target}")
+                };
+                return Err(Error::parse(self.model.id, problem));
+            }
+        }
+        self.params.set_text(name, text)?;
+        let given = targets.into_iter();
+        self.given
+            .extend(given.map(|target| (target.to_owned(), name.to_owned())));
+        Ok(())
+    }
+
+    /// The component, of weight 1.
+    ///
+    /// # Errors
+    /// Where the model refuses the combination.
+    pub(super) fn finish(self) -> Result<Component> {
+        (self.model.validate)(&self.params)?;
+        Ok(Component {
+            model: self.model,
+            params: self.params,
             weight: 1.0,
         })
     }
@@ -231,6 +285,18 @@ mod tests {
             ("lambert", "unknown model 'lambert'; nearest: lambertian_"),
             ("oren_nayar:sigma", "'sigma' is not name=value"),
             ("oren_nayar:sigma=20,sigma=30", "sigma is given twice"),
+            (
+                "rough_conductor:alpha=0.1,alpha_y=0.2",
+                "alpha and alpha_y both set alpha_y",
+            ),
+            (
+                "rough_conductor:alpha_x=0.1,alpha=0.2",
+                "alpha_x and alpha both set alpha_x",
+            ),
+            (
+                "phong:exponent=32=8",
+                "exponent = 32=8: allowed is a number",
+            ),
             ("oren_nayar:sigma=91", "from 0 to 90 degrees"),
             ("rough_conductor:eta=0,k=0", "eta and k may not both be 0"),
         ] {

@@ -20,16 +20,17 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Component, Material};
-use crate::bxdf::param;
+use super::component::Assignments;
+use super::{Component, Material, WEIGHT};
 use crate::bxdf::param::Kind;
-use crate::error::{Error, Result};
+use crate::bxdf::{models, param};
+use crate::error::{Error, Result, shown};
 
 /// The keys that describe a material and do not change it, in the order in which they are printed.
 const DESCRIPTIONS: [&str; 3] = ["name", "note", "source"];
 
-/// The key of a lobe's factor.
-const WEIGHT: &str = "weight";
+/// The most bytes of a description: some pages. They are laid out whole, and one of many megabytes stops the screen.
+pub(crate) const MAX_DESCRIPTION: usize = 1 << 14;
 
 /// A table, its key or its value in the text.
 type Entry<'a> = (
@@ -65,43 +66,60 @@ impl Reader<'_> {
         let Some((key, value)) = table.get_key_value("model") else {
             return Err(self.error(lobe.span(), "a lobe without model = \"...\""));
         };
-        let mut component: Component = self
-            .string((key, value))?
-            .parse()
-            .map_err(|error: Error| self.error(value.span(), error.to_string()))?;
-        let mut assignments = vec![component.to_string()];
+        let model = models::find(&self.string((key, value))?)
+            .map_err(|error| self.error(value.span(), error.to_string()))?;
+        // By name, one by one: no key and no value is read as more than one parameter.
+        let mut assignments = Assignments::of(model);
+        let mut weight = None;
         for (key, value) in table.iter().filter(|(key, _)| key.get_ref() != "model") {
             let name = key.get_ref();
             let word = word_of(value.get_ref()).ok_or_else(|| {
-                let problem = format!("{name} is no number, colour, word or truth value");
+                let problem = format!("{} is no number, colour, word or truth value", shown(name));
                 self.error(value.span(), problem)
             })?;
-            let at = |error: Error| self.error(key.span(), error.to_string());
-            if name == WEIGHT {
-                component
-                    .set_weight(word.parse().unwrap_or(f64::NAN))
-                    .map_err(at)?;
+            if name == WEIGHT.name {
+                weight = Some((key, word));
                 continue;
             }
-            // Each alone first, so that the error names its line.
-            let alone = format!("{}:{name}={word}", component.model().id);
-            alone.parse::<Component>().map_err(at)?;
-            assignments.push(format!("{name}={word}"));
+            assignments
+                .set(name, &word)
+                .map_err(|error| self.error(key.span(), error.to_string()))?;
         }
-        let weight = component.weight();
-        let text = assignments.join(",").replacen(',', ":", 1);
-        let mut all: Component = text
-            .parse()
-            .map_err(|error: Error| self.error(value.span(), error.to_string()))?;
-        all.set_weight(weight)?;
-        Ok(all)
+        let mut component = assignments
+            .finish()
+            .map_err(|error| self.error(value.span(), error.to_string()))?;
+        if let Some((key, word)) = weight {
+            set_weight(&mut component, &word)
+                .map_err(|error| self.error(key.span(), error.to_string()))?;
+        }
+        Ok(component)
     }
+}
+
+/// Sets the weight of `component` from its text.
+fn set_weight(component: &mut Component, word: &str) -> Result<()> {
+    let weight = word.parse().unwrap_or(f64::NAN);
+    component.set_weight(weight).map_err(|error| match error {
+        // As it was given: it may be no number.
+        Error::Parameter {
+            model,
+            name,
+            allowed,
+            ..
+        } => Error::Parameter {
+            model,
+            name,
+            value: word.to_owned(),
+            allowed,
+        },
+        other => other,
+    })
 }
 
 /// Reads a material from TOML `text`; `place` (the file) is named in errors, with the line.
 ///
 /// # Errors
-/// [`Error::Parse`] for a syntax error, an unknown key, model, parameter or choice, a value out of range, a weight below 0,
+/// [`Error::Parse`] for a syntax error, an unknown key, model, parameter or choice, a value or weight out of range,
 /// and what [`Material::new`] refuses.
 pub fn parse(text: &str, place: &str) -> Result<Material> {
     let reader = Reader { text, place };
@@ -114,14 +132,21 @@ pub fn parse(text: &str, place: &str) -> Result<Material> {
     if let Some((key, _)) = table.iter().find(|(key, _)| !is_known(key.get_ref())) {
         let problem = format!(
             "unknown key '{}'; known are name, note, source and lobes",
-            key.get_ref()
+            shown(key.get_ref())
         );
         return Err(reader.error(key.span(), problem));
     }
     let describe = |key| {
-        table
-            .get_key_value(key)
-            .map_or_else(|| Ok(String::new()), |entry| reader.string(entry))
+        let Some(entry) = table.get_key_value(key) else {
+            return Ok(String::new());
+        };
+        let text = reader.string(entry)?;
+        if text.len() > MAX_DESCRIPTION {
+            let length = text.len();
+            let problem = format!("{key} is {length} bytes long; the limit is {MAX_DESCRIPTION}");
+            return Err(reader.error(entry.1.span(), problem));
+        }
+        Ok(text)
     };
     let [name, note, source] = DESCRIPTIONS.map(describe);
     let (span, components) = match table.get("lobes") {
@@ -150,17 +175,24 @@ pub fn parse(text: &str, place: &str) -> Result<Material> {
 fn word_of(value: &DeValue<'_>) -> Option<String> {
     match value {
         DeValue::String(word) => Some(word.to_string()),
-        DeValue::Integer(number) if number.radix() == 10 => Some(number.as_str().to_owned()),
-        DeValue::Float(number) => Some(number.as_str().to_owned()),
         DeValue::Boolean(flag) => Some(flag.to_string()),
         DeValue::Array(channels) => {
-            let words: Option<Vec<String>> = channels
+            let numbers: Option<Vec<&str>> = channels
                 .iter()
-                .map(|channel| word_of(channel.get_ref()))
+                .map(|channel| number_of(channel.get_ref()))
                 .collect();
-            Some(words?.join("/"))
+            Some(numbers?.join("/"))
         }
-        DeValue::Integer(_) | DeValue::Datetime(_) | DeValue::Table(_) => None,
+        number => number_of(number).map(str::to_owned),
+    }
+}
+
+/// The text of a number in decimal digits.
+fn number_of<'a>(value: &'a DeValue<'_>) -> Option<&'a str> {
+    match value {
+        DeValue::Integer(number) if number.radix() == 10 => Some(number.as_str()),
+        DeValue::Float(number) => Some(number.as_str()),
+        _ => None,
     }
 }
 
@@ -188,7 +220,7 @@ fn lobe_table(component: &Component) -> toml::Value {
     let mut table = toml::Table::new();
     table.insert("model".to_owned(), component.model().id.into());
     if component.weight() != 1.0 {
-        table.insert(WEIGHT.to_owned(), component.weight().into());
+        table.insert(WEIGHT.name.to_owned(), component.weight().into());
     }
     for (spec, value) in component.params().iter() {
         if value != spec.default {
@@ -253,7 +285,15 @@ mod tests {
             ),
             (
                 &format!("{two}weight = -0.5"),
-                "m.toml: line 6: oren_nayar: weight = -0.5: allowed is a number not below 0",
+                "m.toml: line 6: oren_nayar: weight = -0.5: allowed is a number from 0 to 1000",
+            ),
+            (
+                &format!("{two}weight = 4e38"),
+                "m.toml: line 6: oren_nayar: weight = 4",
+            ),
+            (
+                &format!("{two}weight = inf"),
+                "weight = inf: allowed is a number from 0 to 1000",
             ),
             (
                 &format!("{two}sigma = {{ a = 1 }}"),
@@ -272,9 +312,65 @@ mod tests {
                 "line 1: name is not in quotes",
             ),
             (&two.repeat(5), "line 1: 10 lobes; allowed are 1 to 8"),
+            (
+                &format!("{two}weight = \"much\""),
+                "line 6: oren_nayar: weight = much: allowed is a number",
+            ),
+            (
+                &format!("note = \"{}\"\n{two}", "long ".repeat(1 << 12)),
+                "line 1: note is 20480 bytes long; the limit is 16384",
+            ),
         ] {
             let line = parse(text, "m.toml").unwrap_err().to_string();
             assert!(line.contains(expected) && !line.contains('\n'), "{line}");
         }
+    }
+
+    #[test]
+    fn keys_and_values_stand_for_one_parameter_each() {
+        for (line, expected) in [
+            (
+                "exponent = \"32,specular=0.25\"",
+                "line 3: phong: exponent = 32,specular=0.25: allowed is a number",
+            ),
+            (
+                "\"exponent=32,specular\" = 0.25",
+                "line 3: unknown parameter 'exponent=32,specular'",
+            ),
+            (
+                "diffuse = [\"0.1/0.2\", \"0.3\"]",
+                "line 3: diffuse is no number, colour",
+            ),
+            (
+                "diffuse = [[0.1, 0.2], 0.3]",
+                "line 3: diffuse is no number",
+            ),
+            ("diffuse = [0.1, 0.2]", "line 3: phong: diffuse = 0.1/0.2"),
+        ] {
+            let text = format!("[[lobes]]\nmodel = \"phong\"\n{line}\n");
+            let error = parse(&text, "m").unwrap_err().to_string();
+            assert!(error.contains(expected), "{error}");
+        }
+        let text = "[[lobes]]\nmodel = \"phong:exponent=32\"\n";
+        let error = parse(text, "m").unwrap_err().to_string();
+        assert!(
+            error.contains("line 2: unknown model 'phong:exponent=32'"),
+            "{error}"
+        );
+        let text = "[[lobes]]\nmodel = \"rough_conductor\"\nalpha = 0.1\nalpha_x = 0.2\n";
+        let error = parse(text, "m").unwrap_err().to_string();
+        assert!(
+            error.contains("line 4: rough_conductor: alpha and alpha_x both set alpha_x"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn what_may_not_stand_together_is_refused_at_the_model() {
+        let text = "[[lobes]]\nmodel = \"rough_conductor\"\nk = 0\neta = 0\n";
+        let error = parse(text, "m").unwrap_err().to_string();
+        assert!(error.contains("line 2: rough_conductor: "), "{error}");
+        assert!(error.contains("may not both be 0"), "{error}");
+        assert!(parse(&text.replace("eta = 0", "eta = 1.5"), "m").is_ok());
     }
 }

@@ -7,7 +7,7 @@ use include_dir::{Dir, include_dir};
 
 use super::{Material, file};
 use crate::bxdf::models::{self, MODELS};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, shown};
 
 /// The files. Their folder is the one list of them.
 static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/materials");
@@ -69,15 +69,27 @@ pub fn read(text: &str) -> Result<Material> {
     match (find(id), parameters) {
         (Ok(named), None) => Ok(named.material.clone()),
         (Ok(_), Some(_)) => Err(Error::parse(
-            format!("material '{text}'"),
+            format!("material '{}'", shown(text)),
             "a named material takes no parameters; write a .toml file, or name a model",
         )),
-        (Err(_), _) => {
-            let models = MODELS.into_iter().map(|model| model.id);
-            let named = all().iter().map(|named| named.id);
-            Err(Error::unknown("material", id, models.chain(named)))
-        }
+        (Err(_), _) => Err(unknown(id)),
     }
+}
+
+/// The error for a text of which [`is_known`] is false: it names the nearest ids of both.
+#[must_use]
+pub fn unknown(text: &str) -> Error {
+    let id = text.split(':').next().unwrap_or_default().trim();
+    let models = MODELS.into_iter().map(|model| model.id);
+    let named = all().iter().map(|named| named.id);
+    Error::unknown("material", id, models.chain(named))
+}
+
+/// Whether `text` begins with the id of a model or of a material of the library, as [`read`] takes it.
+#[must_use]
+pub fn is_known(text: &str) -> bool {
+    let id = text.split(':').next().unwrap_or_default().trim();
+    MODELS.iter().any(|model| model.id == id) || all().iter().any(|named| named.id == id)
 }
 
 /// The material of the library that `material` is, or was before its components were changed: the one of its name.

@@ -3,7 +3,7 @@
 
 use super::mixed_batch::{STRETCH, evaluate};
 use super::mixture::Mixture;
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::{Bxdf, Side};
 
@@ -62,28 +62,24 @@ fn samples_at_once<R: Real>(
         if own.is_empty() {
             continue;
         }
-        let picked = |slice: &[R::Stored]| -> Vec<R::Stored> {
-            let places = own.iter();
-            places
-                .map(|(place, _)| slice.get(*place).copied().unwrap_or(zero))
-                .collect()
-        };
-        let wo = [ox, oy, oz].map(picked);
-        let [u, v] = [u, v].map(picked);
-        let rest: Vec<R::Stored> = own.iter().map(|(_, rest)| rest.store()).collect();
-        let mut room: [Vec<R::Stored>; 8] = std::array::from_fn(|_| vec![zero; own.len()]);
-        let [x, y, z, fr, fg, fb, density, is_delta] = room.each_mut().map(Vec::as_mut_slice);
+        let picked = Columns::from_rows(own.iter().map(|(place, rest)| {
+            let at = |slice: &[R::Stored]| slice.get(*place).copied().unwrap_or(zero);
+            [at(ox), at(oy), at(oz), rest.store(), at(u), at(v)]
+        }));
+        let [own_x, own_y, own_z, own_uc, own_u, own_v] = picked.slices();
+        let mut room = Columns::filled(zero, own.len());
+        let [x, y, z, fr, fg, fb, density, is_delta] = room.slices_mut();
         let job = Job::Sample {
-            wo: wo.each_ref().map(Vec::as_slice),
-            uc: &rest,
-            u: [&u, &v],
+            wo: [own_x, own_y, own_z],
+            uc: own_uc,
+            u: [own_u, own_v],
             wi: [x, y, z],
             f: [fr, fg, fb],
             pdf: density,
             delta: is_delta,
         };
         part.bxdf.batch(path, job);
-        let [x, y, z, .., density, is_delta] = &room;
+        let [x, y, z, .., density, is_delta] = room.slices();
         let to = [&mut *ix, &mut *iy, &mut *iz, &mut *pdf, &mut *delta];
         for (axis, from) in to.into_iter().zip([x, y, z, density, is_delta]) {
             for ((place, _), value) in own.iter().zip(from) {

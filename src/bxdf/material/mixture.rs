@@ -286,4 +286,38 @@ mod tests {
         let dark = mixture(&[(0.0, "phong"), (0.0, "oren_nayar")]).build::<f64>();
         assert!(dark.sample_f(wo, 0.5, [0.5; 2]).is_none() && dark.pdf(wo, wo) == 0.0);
     }
+    /// Whatever weights are allowed: values and densities are numbers in every precision, on both sides, and samples too.
+    #[test]
+    fn the_largest_weights_keep_values_and_densities() {
+        let [low, high] = super::super::WEIGHT.hard;
+        let mut one: Component = "phong".parse().unwrap();
+        for refused in [4e38, 1e308, high * (1.0 + 1e-15), f64::INFINITY, -1e-300] {
+            assert!(one.set_weight(refused).is_err(), "{refused}");
+        }
+        let both = "rough_dielectric:alpha=.001";
+        let parts = [both, "lambertian_reflection", "specular_transmission", both];
+        let parts = [parts, parts].concat();
+        let bright: Vec<_> = parts.iter().map(|part| (high, *part)).collect();
+        let mut faint = bright.clone();
+        faint[0].0 = f64::MIN_POSITIVE;
+        faint[1].0 = low;
+        for weights in [bright, faint] {
+            let material = mixture(&weights);
+            let (single, double) = (material.build::<f32>(), material.build::<f64>());
+            for z in [0.8, -0.8] {
+                let wo = Vec3::new(0.6, 0.0, z);
+                let narrow = Vec3::new(wo.x as f32, 0.0, wo.z as f32);
+                for wi in [0.8, -0.8].map(|z| Vec3::new(-0.6, 0.0, z)) {
+                    let f = double.f(wo, wi).0[0];
+                    assert!(f.is_finite() && f > 0.0 || z < 0.0, "{f}");
+                    let wi = Vec3::new(wi.x as f32, 0.0, wi.z as f32);
+                    let [f, pdf] = [single.f(narrow, wi).0[0], single.pdf(narrow, wi)];
+                    assert!(f.is_finite() && pdf.is_finite(), "{f} {pdf}");
+                    assert!(f == 0.0 || pdf > 0.0, "{f} {pdf}");
+                }
+                let sample = single.sample_f(narrow, 0.1, [0.3, 0.6]).unwrap();
+                assert!(sample.weight().0[0].is_finite(), "{sample:?}");
+            }
+        }
+    }
 }

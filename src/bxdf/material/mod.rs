@@ -14,7 +14,7 @@ use super::spec::{Category, ModelSpec, Precision};
 use super::{Bxdf, Side};
 use crate::error::{Error, Result};
 
-pub use component::Component;
+pub use component::{Component, WEIGHT};
 use mixture::Mixture;
 
 /// The most components a material may have.
@@ -93,6 +93,18 @@ impl Material {
             source,
             ..Self::new(components)?
         })
+    }
+
+    /// The same material with every weight over `divisor`.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] where a weight would leave its range.
+    pub fn with_weights_over(&self, divisor: f64) -> Result<Self> {
+        let mut scaled = self.clone();
+        for component in &mut scaled.components {
+            component.set_weight(component.weight() / divisor)?;
+        }
+        Ok(scaled)
     }
 
     /// The one component, where it is taken as it is.
@@ -279,6 +291,12 @@ mod tests {
         assert!(half.set_weight(-0.5).is_err() && half.set_weight(f64::NAN).is_err());
         let material = Material::new(vec![half, "oren_nayar".parse().unwrap()]).unwrap();
         assert_eq!(material.to_string(), "0.5 * phong:exponent=8 + oren_nayar");
+        let halved = material.with_weights_over(2.0).unwrap();
+        assert_eq!(
+            halved.to_string(),
+            "0.25 * phong:exponent=8 + 0.5 * oren_nayar"
+        );
+        assert!(material.with_weights_over(0.0).is_err());
         assert_eq!(material.title(), "Phong + Oren-Nayar");
         assert!(material.has_side(Side::Reflection) && !material.has_side(Side::Transmission));
     }

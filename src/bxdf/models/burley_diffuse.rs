@@ -41,6 +41,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             parameters: "reflectance=1,roughness=1",
             theta_deg: 89.9,
             note: "rho_dh reaches 1.55 at grazing incidence: the retro-reflective rise is a fit, without an energy bound",
+            when: Declaration::always,
         }],
         ..Properties::PLAIN
     },

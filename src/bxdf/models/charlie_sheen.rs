@@ -54,12 +54,14 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
                 parameters: "reflectance=1,roughness=.01",
                 theta_deg: 89.9,
                 note: "rho_dh reaches 2.13: the fitted Lambda masks less than half of what the upright fibres would",
+                when: Declaration::always,
             },
             Declaration {
                 law: Law::Energy,
                 parameters: "reflectance=1,roughness=1",
                 theta_deg: 89.9999,
                 note: "rho_dh reaches 1.28: the fitted Lambda stays finite at the horizon",
+                when: Declaration::always,
             },
         ],
         ..Properties::PLAIN

@@ -65,18 +65,21 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
                 theta_deg: 0.0,
                 note: "rho_dh reaches 1.083: phase function and surge multiply the first scattering, and the repeated one \
                        gives nothing back for it",
+                when: Declaration::always,
             },
             Declaration {
                 law: Law::Energy,
                 parameters: "single_scattering_albedo=1,asymmetry=-.9",
                 theta_deg: 0.0,
                 note: "rho_dh reaches 1.505: half the light returns at once, and as much as from even grains thereafter",
+                when: Declaration::always,
             },
             Declaration {
                 law: Law::Energy,
                 parameters: "single_scattering_albedo=1,opposition_width=1",
                 theta_deg: 89.9,
                 note: "rho_dh reaches 1.273: a surge this wide multiplies the first scattering everywhere",
+                when: Declaration::always,
             },
         ],
         ..Properties::PLAIN

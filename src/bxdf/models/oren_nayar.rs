@@ -42,6 +42,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             parameters: "reflectance=1,sigma=11",
             theta_deg: 89.5,
             note: "rho_dh reaches 1.015 at grazing incidence: the qualitative model approximates the full one",
+            when: Declaration::always,
         }],
         ..Properties::PLAIN
     },

@@ -15,7 +15,7 @@
 
 use super::*;
 use crate::bxdf::glossy::{
-    DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exponent, shares,
+    DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exceeds_one, exponent, shares,
 };
 use crate::bxdf::microfacet::Pair;
 use crate::bxdf::optics::Spectrum;
@@ -44,6 +44,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             parameters: "diffuse=1,specular=1",
             theta_deg: 0.0,
             note: "rho_dh is diffuse + specular at normal incidence: the two are free, as published, and may exceed 1",
+            when: exceeds_one,
         }],
         ..Properties::PLAIN
     },

@@ -86,6 +86,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             theta_deg: 89.9,
             note: "rho_dh reaches 1.45: the ground gets what a smooth coat would let through, also where the rough one has \
                    reflected it",
+            when: Declaration::always,
         }],
         ..Properties::TWO_WIDTHS
     },

@@ -105,6 +105,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             theta_deg: 89.9,
             note: "rho_dh reaches 1.60, 1.73 with sheen, specular and clearcoat at 1: the lobes are added without taking from \
                    one another, and the diffuse one alone brightens by 1.55 at grazing incidence",
+            when: Declaration::always,
         }],
         ..Properties::PLAIN
     },

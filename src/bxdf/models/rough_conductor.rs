@@ -132,6 +132,7 @@ const DECLARATIONS: &[Declaration] = &[
         parameters: "fresnel=one,alpha=1,compensation=turquin",
         theta_deg: 89.9,
         note: "Turquin's factor depends on wo alone: the two ways differ by up to 69 %",
+        when: |params| params.choice("compensation") == "turquin",
     },
     Declaration {
         law: Law::Energy,
@@ -139,18 +140,27 @@ const DECLARATIONS: &[Declaration] = &[
         theta_deg: 89.9,
         note: "rho_dh reaches 2.18: the factor is made for the light leaving along wo, and brightens a lobe that grazing \
                light fills already",
+        when: |params| params.choice("compensation") == "turquin",
     },
     Declaration {
         law: Law::Energy,
         parameters: "fresnel=one,alpha_x=1,alpha_y=.0001,compensation=kulla_conty",
         theta_deg: 89.5,
         note: "rho_dh reaches 1.08: the lobe gives back what an isotropic surface of alpha = sqrt(alpha_x alpha_y) loses",
+        when: |params| {
+            let is_isotropic = params.number("alpha_x") == params.number("alpha_y");
+            params.choice("compensation") == "kulla_conty" && !is_isotropic
+        },
     },
     Declaration {
         law: Law::Energy,
         parameters: "fresnel=one,alpha=.1,distribution=beckmann_rational,compensation=kulla_conty",
         theta_deg: 82.0,
         note: "rho_dh reaches 1.003: the lobe gives back what the exact masking loses, where the fit masks less",
+        when: |params| {
+            let is_fitted = params.choice("distribution") == "beckmann_rational";
+            params.choice("compensation") == "kulla_conty" && is_fitted
+        },
     },
 ];
 
@@ -353,7 +363,9 @@ mod tests {
 
     #[test]
     fn the_peak_at_normal_incidence_is_f_over_four_pi_alpha_squared() {
-        let gold: Material = "rough_conductor:alpha=0.1".parse().unwrap();
+        let gold: Material = "rough_conductor:alpha=0.1,eta=0.143,k=3.983"
+            .parse()
+            .unwrap();
         let up = Vec3::new(0.0, 0.0, 1.0);
         let f = gold.build::<f64>().f(up, up).0[0];
         let (n, k): (f64, f64) = (0.143, 3.983);

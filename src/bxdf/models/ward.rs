@@ -22,7 +22,9 @@
 
 use super::*;
 use crate::bxdf::glossy::gaussian_slopes::GaussianSlopes;
-use crate::bxdf::glossy::{DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, reflected, shares};
+use crate::bxdf::glossy::{
+    DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, exceeds_one, reflected, shares,
+};
 use crate::bxdf::microfacet::{ONE_WIDTH, Pair, alpha};
 use crate::bxdf::optics::Spectrum;
 use crate::bxdf::param::ParamSet;
@@ -64,22 +66,26 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
                 "diffuse=1,specular=1",
                 0.0,
                 "rho_dh is diffuse + .98 specular: the two are free, as published, and may exceed 1",
+                exceeds_one,
             ),
             energy(
                 "variant=ward,alpha=.5",
                 89.9,
                 "rho_dh is 1.48: the root of the two cosines falls faster than the lobe, without bound at the horizon; \
                  2.36 where the widths are .0001 and 1",
+                |params| params.choice("variant") == "ward",
             ),
             energy(
                 "variant=duer,alpha=.5",
                 85.0,
                 "rho_dh is 1.33: the product of the cosines falls faster still",
+                |params| params.choice("variant") == "duer",
             ),
             energy(
                 "variant=duer,alpha=.7",
                 89.9,
                 "rho_dh is 49 a tenth of a degree from the horizon, where it grows as one over the cosine",
+                |params| params.choice("variant") == "duer",
             ),
         ],
         ..Properties::TWO_WIDTHS
@@ -94,12 +100,18 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     stand_ins: &[ONE_WIDTH],
 };
 
-const fn energy(parameters: &'static str, theta_deg: f64, note: &'static str) -> Declaration {
+const fn energy(
+    parameters: &'static str,
+    theta_deg: f64,
+    note: &'static str,
+    when: fn(&ParamSet) -> bool,
+) -> Declaration {
     Declaration {
         law: Law::Energy,
         parameters,
         theta_deg,
         note,
+        when,
     }
 }
 

@@ -10,8 +10,11 @@ use crate::error::{Error, Result};
 /// The name under which a table stands in texts.
 pub const DATA: &str = "data";
 
-/// The name that sets `alpha_x` and `alpha_y` at once, in models that have both.
+/// The name that sets both [`WIDTHS`] at once, in models that have them.
 const BOTH_ALPHAS: &str = "alpha";
+
+/// The widths along s and t.
+const WIDTHS: [&str; 2] = ["alpha_x", "alpha_y"];
 
 /// The values of a model's parameters: one per spec, in the order of the specs, each allowed by its spec.
 #[derive(Clone, Debug)]
@@ -103,6 +106,19 @@ impl ParamSet {
         Ok(())
     }
 
+    /// The parameters that [`Self::set_text`] sets under `name`: that one, or both widths under `alpha`.
+    #[must_use]
+    pub fn targets<'a>(&self, name: &'a str) -> Vec<&'a str> {
+        let stands_for_both = name == BOTH_ALPHAS
+            && self.index_of(name).is_none()
+            && WIDTHS.iter().all(|width| self.index_of(width).is_some());
+        if stands_for_both {
+            WIDTHS.to_vec()
+        } else {
+            vec![name]
+        }
+    }
+
     /// Sets the parameter `name` from its text: a number, `r/g/b`, a word, `true` or `false`. `alpha` sets `alpha_x`
     /// and `alpha_y`.
     ///
@@ -112,21 +128,17 @@ impl ParamSet {
         if name == DATA && self.takes_table {
             return self.set_table(Arc::new(text.parse()?));
         }
-        if name == BOTH_ALPHAS
-            && self.index_of(name).is_none()
-            && self.index_of("alpha_x").is_some()
-        {
-            self.set_text("alpha_x", text)?;
-            return self.set_text("alpha_y", text);
+        for target in self.targets(name) {
+            let spec = self
+                .index_of(target)
+                .and_then(|index| self.specs.get(index))
+                .ok_or_else(|| self.unknown(target))?;
+            let value = spec
+                .parse(text)
+                .ok_or_else(|| refused(self.model, spec, text))?;
+            self.set(target, value)?;
         }
-        let spec = self
-            .index_of(name)
-            .and_then(|index| self.specs.get(index))
-            .ok_or_else(|| self.unknown(name))?;
-        let value = spec
-            .parse(text)
-            .ok_or_else(|| refused(self.model, spec, text))?;
-        self.set(name, value)
+        Ok(())
     }
 
     /// The set with these values in place of its own. `None` where the model has no such parameter, or a range that does

@@ -18,7 +18,7 @@ mod shape;
 mod text;
 
 use crate::bxdf::Bxdf;
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::optics::Spectrum;
 use crate::error::Result;
@@ -75,27 +75,18 @@ impl Table {
     /// [`Error::Limit`](crate::error::Error::Limit) where the table would take more: then nothing is allocated.
     pub fn bake(bxdf: &dyn Bxdf<f64>, shape: Shape, max_bytes: u64) -> Result<Self> {
         shape.within(max_bytes)?;
-        let mut wo = [(); 3].map(|()| Vec::with_capacity(shape.nodes()));
-        let mut wi = wo.clone();
-        for place in shape.places() {
-            let (a, b) = place.directions();
-            for (list, w) in [(&mut wo, a), (&mut wi, b)] {
-                for (list, component) in list.iter_mut().zip([w.x, w.y, w.z]) {
-                    list.push(component);
-                }
-            }
-        }
-        let mut f = [(); 3].map(|()| vec![0.0; wo[0].len()]);
+        let pairs: Vec<_> = shape.places().map(|place| place.directions()).collect();
+        let wo = Columns::from_rows(pairs.iter().map(|(wo, _)| [wo.x, wo.y, wo.z]));
+        let wi = Columns::from_rows(pairs.iter().map(|(_, wi)| [wi.x, wi.y, wi.z]));
+        let mut f = Columns::filled(0.0, pairs.len());
         let job = Job::F {
-            wo: wo.each_ref().map(Vec::as_slice),
-            wi: wi.each_ref().map(Vec::as_slice),
-            f: f.each_mut().map(Vec::as_mut_slice),
+            wo: wo.slices(),
+            wi: wi.slices(),
+            f: f.slices_mut(),
         };
         bxdf.batch(Path::Dispatched, job);
-        let ([r, g, b], [_, _, zo], [_, _, zi]) = (f, wo, wi);
-        let values = r.into_iter().zip(g).zip(b).zip(zo.into_iter().zip(zi));
-        let values =
-            values.map(|(((r, g), b), (zo, zi))| [r, g, b].map(|f| (f * (zo + zi)) as f32));
+        let values = f.rows().zip(&pairs);
+        let values = values.map(|(f, (wo, wi))| f.map(|f| (f * (wo.z + wi.z)) as f32));
         Ok(Self::new(shape, values.collect()))
     }
 

@@ -98,7 +98,9 @@ fn what_would_take_too_much_is_refused_before_it_is_made() {
 fn text_brings_a_table_back() {
     for text in ["oren_nayar:sigma=30", "ward:alpha_x=.1,alpha_y=.3"] {
         let table = baked(text, 5);
-        let read: Table = table.to_string().parse().unwrap();
+        let text = table.to_string();
+        assert_eq!(table.text_bytes(), text.len() as u64);
+        let read: Table = text.parse().unwrap();
         assert!(read == table);
     }
     for (text, expected) in [

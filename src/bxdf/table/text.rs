@@ -21,6 +21,16 @@ impl fmt::Display for Table {
     }
 }
 
+impl Table {
+    /// How many bytes its text has, without writing it.
+    #[must_use]
+    pub fn text_bytes(&self) -> u64 {
+        let counts = self.shape.to_string().len() + SEPARATOR.len_utf8();
+        // Four characters for every three bytes that are begun.
+        counts as u64 + 4 * self.shape.bytes().div_ceil(3)
+    }
+}
+
 impl FromStr for Table {
     type Err = Error;
 

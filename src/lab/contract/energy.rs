@@ -3,18 +3,51 @@
 use glam::DVec3;
 
 use super::integrals::ESTIMATE;
+use super::sweep::directions;
 use super::{LawId, Tallies};
 use crate::analysis::reflectance::{directional_hemispherical, directional_hemispherical_within};
 use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::{Declaration, ModelSpec};
+use crate::bxdf::{Component, Declaration, ModelSpec};
 use crate::lab::subject::Subject;
 
 /// Absolute error wanted of the reflectances, and the excess let pass: a hundredth of the smallest one worth declaring.
 const TOLERANCE: f64 = 1e-5;
 
 /// Absolute error wanted where it is to be quick, and the evaluations of a lobe it may take.
-const QUICK_TOLERANCE: f64 = 1e-4;
-const QUICK_EVALUATIONS: usize = 8000;
+pub(super) const QUICK_TOLERANCE: f64 = 1e-4;
+pub(super) const QUICK_EVALUATIONS: usize = 8000;
+
+/// The polar angles and azimuths, in degrees, at which the energy of a material is measured besides the directions of all
+/// laws: sums of lobes are often brightest shortly before the horizon.
+const BETWEEN_DEG: [(f64, f64); 5] = [
+    (20.0, 75.0),
+    (48.0, -140.0),
+    (72.0, 10.0),
+    (80.0, 160.0),
+    (87.5, -30.0),
+];
+
+/// Where the energy of a material is measured besides the directions of all laws: above the surface, and below where light
+/// crosses one of `components`.
+pub(super) fn directions_between<'a>(
+    mut components: impl Iterator<Item = &'a Component>,
+) -> Vec<DVec3> {
+    let is_crossed = components.any(|component| component.model().transmits());
+    let above = BETWEEN_DEG.into_iter();
+    let all = above.flat_map(|(theta_deg, phi_deg)| {
+        let below = is_crossed.then_some((180.0 - theta_deg, phi_deg));
+        std::iter::once((theta_deg, phi_deg)).chain(below)
+    });
+    all.map(|(theta_deg, phi_deg)| direction_from_degrees(theta_deg, phi_deg))
+        .collect()
+}
+
+/// Where the energy of a material of `components` is measured.
+pub(super) fn directions_of<'a>(components: impl Iterator<Item = &'a Component>) -> Vec<DVec3> {
+    let mut all = directions();
+    all.extend(directions_between(components));
+    all
+}
 
 /// `rho_dh` <= 1, both sides and the deltas together, in every channel; `integral` is that of f |cos| and its error.
 pub(super) fn energy(
@@ -36,12 +69,8 @@ pub(super) fn energy(
 pub(super) fn energy_by_lobes(subject: &Subject, wi: DVec3, tallies: &mut Tallies) {
     let bxdf = &*subject.double;
     let found = directional_hemispherical_within(bxdf, wi, QUICK_TOLERANCE, QUICK_EVALUATIONS);
-    let mut rho = found.reflection;
-    rho.iter_mut()
-        .zip(found.transmission)
-        .for_each(|(sum, x)| *sum += x);
     let error = ESTIMATE * found.error.max(QUICK_TOLERANCE);
-    record(subject, wi, rho, error, tallies);
+    record(subject, wi, found.leaving(), error, tallies);
 }
 
 fn record(subject: &Subject, wi: DVec3, rho: [f64; 3], error: f64, tallies: &mut Tallies) {
@@ -54,7 +83,7 @@ fn record(subject: &Subject, wi: DVec3, rho: [f64; 3], error: f64, tallies: &mut
 }
 
 /// The largest channel, or a NaN if there is one.
-fn worst(rgb: [f64; 3]) -> f64 {
+pub(super) fn worst(rgb: [f64; 3]) -> f64 {
     rgb.into_iter().fold(
         f64::NEG_INFINITY,
         |worst, x| if x <= worst { worst } else { x },
@@ -88,8 +117,7 @@ pub(super) fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Re
     let subject = declared_subject(model, declaration)?;
     let wi = direction_from_degrees(declaration.theta_deg, 0.0);
     let rho = directional_hemispherical(&*subject.double, wi, TOLERANCE);
-    let ([r0, r1, r2], [t0, t1, t2]) = (rho.reflection, rho.transmission);
-    let excess = worst([r0 + t0, r1 + t1, r2 + t2]) - 1.0;
+    let excess = worst(rho.leaving()) - 1.0;
     if excess > rho.error.max(TOLERANCE) {
         Ok(excess)
     } else {

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::bxdf::math::frame;
 use crate::bxdf::{Declaration, Law, ModelSpec};
 use crate::lab::subject::Witness;
 
@@ -123,6 +124,11 @@ impl LawId {
         all.filter(move |declaration| Some(declaration.law) == self.declared_as())
     }
 
+    /// Whether it is one that models may break as published: how much is then what counts.
+    pub(super) const fn is_physical(self) -> bool {
+        self.declared_as().is_some()
+    }
+
     const fn declared_as(self) -> Option<Law> {
         match self {
             Self::Energy => Some(Law::Energy),
@@ -172,8 +178,8 @@ pub struct LawReport {
     pub law: LawId,
     /// What became of it.
     pub status: Status,
-    /// The deviation at the witness, in [`LawId::measure`]: where it exceeds `error` by the largest factor. Infinite
-    /// where the deviation is no number.
+    /// The deviation at the witness, in [`LawId::measure`]: where it exceeds `error` by the largest factor; of a broken
+    /// law of physics the largest of those that exceed it. Infinite where the deviation is no number.
     pub worst: f64,
     /// What numerical error and chance account for there; the law holds while no deviation exceeds its error.
     pub error: f64,
@@ -181,4 +187,46 @@ pub struct LawReport {
     pub n: usize,
     /// Where the worst deviation is found.
     pub witness: Witness,
+    /// Why it breaks: what comes after "because". Empty where it holds, and where no reason is known.
+    #[serde(skip)]
+    pub reason: String,
+}
+
+impl LawReport {
+    /// What happens where the law breaks most, in a sentence without a full stop; `None` where it holds, and for laws of
+    /// which no sentence is known.
+    #[must_use]
+    pub fn sentence(&self) -> Option<String> {
+        if self.status == Status::Ok {
+            return None;
+        }
+        let share = percent(self.worst);
+        let what = match self.law {
+            LawId::Energy => {
+                let theta_deg = frame::theta(self.witness.wi?).to_degrees();
+                // Angles are given in tenths of a degree at most.
+                let theta_deg = (10.0 * theta_deg).round() / 10.0;
+                format!("With light at {theta_deg} degrees {share} more leaves than arrives")
+            }
+            LawId::Reciprocity => {
+                format!("The two ways between light and viewer differ by {share}")
+            }
+            _ => return None,
+        };
+        if self.reason.is_empty() {
+            return Some(what);
+        }
+        Some(format!("{what}, because {}", self.reason))
+    }
+}
+
+/// A share in per cent, with two digits at least.
+fn percent(share: f64) -> String {
+    let per_cent = 100.0 * share;
+    let decimals = match per_cent {
+        10.0.. => 0,
+        1.0.. => 1,
+        _ => 2,
+    };
+    format!("{per_cent:.decimals$} %")
 }

@@ -133,7 +133,7 @@ pub static LIMITS: [Limit; 34] = [
         )
     },
     narrow(
-        "rough_conductor:alpha=.0001",
+        "rough_conductor:alpha=.0001,eta=.143/.375/1.442,k=3.983/2.386/1.603",
         "specular_reflection:fresnel=conductor,eta=.143/.375/1.442,k=3.983/2.386/1.603",
     ),
     Limit {

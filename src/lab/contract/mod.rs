@@ -9,6 +9,7 @@
 //! Estimators" (`subr2007`), with the correction of Sidak 1967 (`sidak1967`) for the number of tests. A chi-square test
 //! of the samples alone passes a density wrong by .2 % and sees neither the value nor the frame: the other laws do.
 
+mod cause;
 mod cells;
 mod chart;
 mod deltas;
@@ -30,16 +31,17 @@ mod tally;
 
 use rayon::prelude::*;
 
+pub use cause::weight_that_keeps_energy;
 pub use law::{LawId, LawReport, Status};
 pub use limits::{CONE, LIMITS, Limit, Relation, compare};
-pub use physics::{PHYSICAL, check_physical};
+pub use physics::{PHYSICAL, check_energy, check_physical};
 pub use sweep::{directions, parameter_sets};
 pub use tally::Tallies;
 
 pub use super::subject::{Subject, Witness};
 
 use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Component, Law, Material, ModelSpec};
+use crate::bxdf::{Declaration, Law, Material, ModelSpec};
 
 /// How much work a check may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,23 +106,26 @@ pub fn check_all(models: &[&ModelSpec], effort: Effort) -> Vec<Vec<LawReport>> {
         .collect()
 }
 
-/// Runs every law for `material`, at its parameters only.
+/// Runs every law for `material`, at its parameters only: the deviations are its own, whatever its models declare. Where
+/// models agree with one another ([`LawId::Limits`]) is no matter of a material, and is not compared.
 ///
-/// A mixture is excused where one of its models declares the law broken; energy that its weights create is not.
+/// A break is [`Status::Declared`] where each lobe that breaks the law by itself declares it at its parameters; what the
+/// weights add to it is not excused.
 #[must_use]
 pub fn check_material(material: &Material, effort: Effort) -> Vec<LawReport> {
-    if let Some(only) = material.only() {
-        return check_at(only.model(), std::slice::from_ref(only.params()), effort);
-    }
     let plan = Plan {
         effort,
         tests: directions().len(),
     };
+    let subject = Subject::at(material);
     let mut tallies = Tallies::default();
-    laws(&Subject::of_material(material), &plan, &mut tallies);
+    laws(&subject, &plan, &mut tallies);
+    for wi in energy::directions_between(material.components().iter()) {
+        energy::energy_by_lobes(&subject, wi, &mut tallies);
+    }
     tallies
         .into_reports()
-        .map(|report| judged_mixture(material, report))
+        .map(|report| cause::judged(material, report))
         .collect()
 }
 
@@ -157,10 +162,7 @@ pub fn laws(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
 /// `report` with the model's declarations of its law taken into account.
 fn judged(model: &ModelSpec, mut report: LawReport) -> LawReport {
     let declarations = report.law.declarations(model);
-    let declared_breaks = declarations.map(|declaration| match declaration.law {
-        Law::Energy => energy::declared_break(model, declaration),
-        Law::Reciprocity => pointwise::declared_break(model, declaration),
-    });
+    let declared_breaks = declarations.map(|declaration| declared_break(model, declaration));
     let mut allowed: Option<f64> = None;
     for shown in declared_breaks {
         report.n += 1;
@@ -185,12 +187,10 @@ fn judged(model: &ModelSpec, mut report: LawReport) -> LawReport {
     report
 }
 
-/// `report` with the declarations of the mixture's models taken into account.
-fn judged_mixture(material: &Material, mut report: LawReport) -> LawReport {
-    let mut models = material.components().iter().map(Component::model);
-    let is_declared = models.any(|model| report.law.declarations(model).next().is_some());
-    if report.status == Status::Violated && is_declared {
-        report.status = Status::Declared;
+/// By how much `model` breaks a law at a declared witness, or what is wrong with the witness.
+fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Result<f64, String> {
+    match declaration.law {
+        Law::Energy => energy::declared_break(model, declaration),
+        Law::Reciprocity => pointwise::declared_break(model, declaration),
     }
-    report
 }

@@ -1,9 +1,8 @@
 //! The laws that a person asks about first, checked while they wait: of one material, at a fraction of the work.
 
-use super::sweep::directions;
 use super::{
-    Effort, LawId, LawReport, Plan, Status, Tallies, Witness, deltas, energy, finite, judged,
-    judged_mixture, pointwise,
+    Effort, LawId, LawReport, Plan, Status, Tallies, Witness, cause, deltas, energy, finite,
+    pointwise,
 };
 use crate::analysis::isotropy;
 use crate::bxdf::Material;
@@ -22,13 +21,10 @@ pub const PHYSICAL: [LawId; 4] = [
 ///
 /// It sees less than [`check_material`](super::check_material): energy is integrated by the lobes' own maps, and the
 /// report of isotropy is a measurement, which breaks its law only where a lobe declared isotropic is not: it is isotropic
-/// while `worst` does not exceed `error`. Deviations are those of this material, whatever a declared witness shows.
+/// while `worst` does not exceed `error`. What breaks is judged as there.
 #[must_use]
 pub fn check_physical(material: &Material, is_wanted: &dyn Fn() -> bool) -> Option<Vec<LawReport>> {
-    let subject = match material.only() {
-        Some(only) => Subject::new(only.model(), only.params()),
-        None => Subject::of_material(material),
-    };
+    let subject = Subject::at(material);
     let plan = Plan {
         effort: Effort::Quick,
         tests: 0,
@@ -39,7 +35,7 @@ pub fn check_physical(material: &Material, is_wanted: &dyn Fn() -> bool) -> Opti
     if !is_wanted() {
         return None;
     }
-    for wi in directions() {
+    for wi in energy::directions_of(material.components().iter()) {
         energy::energy_by_lobes(&subject, wi, &mut tallies);
         if !is_wanted() {
             return None;
@@ -55,8 +51,7 @@ pub fn check_physical(material: &Material, is_wanted: &dyn Fn() -> bool) -> Opti
         if report.law == LawId::Isotropy {
             reports.push(measured.clone());
         } else if PHYSICAL.contains(&report.law) {
-            let status = status_of(material, &report);
-            reports.push(LawReport { status, ..report });
+            reports.push(cause::judged(material, report));
         }
         if !is_wanted() {
             return None;
@@ -65,15 +60,17 @@ pub fn check_physical(material: &Material, is_wanted: &dyn Fn() -> bool) -> Opti
     Some(reports)
 }
 
-/// The status of `report` with the declarations of the material's models taken into account.
-fn status_of(material: &Material, report: &LawReport) -> Status {
-    if report.status == Status::Ok {
-        return Status::Ok;
+/// The law of energy of [`check_physical`] alone: milliseconds. There is a report of every law: it is never `None`.
+#[must_use]
+pub fn check_energy(material: &Material) -> Option<LawReport> {
+    let subject = Subject::at(material);
+    let mut tallies = Tallies::default();
+    for wi in energy::directions_of(material.components().iter()) {
+        energy::energy_by_lobes(&subject, wi, &mut tallies);
     }
-    match material.only() {
-        Some(only) => judged(only.model(), report.clone()).status,
-        None => judged_mixture(material, report.clone()).status,
-    }
+    let mut reports = tallies.into_reports();
+    let found = reports.find(|report| report.law == LawId::Energy)?;
+    Some(cause::judged(material, found))
 }
 
 /// Whether the lobe turns with the surface, as measured.
@@ -101,6 +98,7 @@ fn isotropy_of(subject: &Subject) -> LawReport {
         } else {
             subject.witness(&found)
         },
+        reason: String::new(),
     }
 }
 

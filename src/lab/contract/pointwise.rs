@@ -159,6 +159,17 @@ pub(super) fn isotropy(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     }
 }
 
+/// The largest relative difference of the two ways at `pairs` that rounding does not explain; 0 where it explains all.
+pub(super) fn reciprocity_broken(subject: &Subject, pairs: &[(DVec3, DVec3)]) -> f64 {
+    let mut largest: f64 = 0.0;
+    for_each_deviation(subject, pairs, |_, deviation, error| {
+        if deviation > error {
+            largest = largest.max(deviation);
+        }
+    });
+    largest
+}
+
 /// By how much reciprocity breaks at a declared witness, or what is wrong with the witness.
 pub(super) fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Result<f64, String> {
     let subject = super::energy::declared_subject(model, declaration)?;
@@ -168,16 +179,7 @@ pub(super) fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Re
         let phis = (0..360).step_by(30).map(f64::from);
         phis.map(move |phi_deg| (direction_from_degrees(theta_deg, phi_deg), wi))
     });
-    let mut largest: f64 = 0.0;
-    for_each_deviation(
-        &subject,
-        &pairs.collect::<Vec<_>>(),
-        |_, deviation, error| {
-            if deviation > error {
-                largest = largest.max(deviation);
-            }
-        },
-    );
+    let largest = reciprocity_broken(&subject, &pairs.collect::<Vec<_>>());
     if largest > 0.0 {
         Ok(largest)
     } else {

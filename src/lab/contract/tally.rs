@@ -15,6 +15,7 @@ impl Default for Tallies {
             error: 0.0,
             n: 0,
             witness: Witness::default(),
+            reason: String::new(),
         };
         Self(LawId::ALL.map(empty).to_vec())
     }
@@ -39,8 +40,9 @@ impl Tallies {
         } else {
             deviation
         };
-        let (ratio, worst) = (ratio(deviation, error), ratio(report.worst, report.error));
-        if report.n == 1 || ratio > worst || (ratio == worst && deviation > report.worst) {
+        let rank = |deviation, error| rank(law, deviation, error);
+        let (this, worst) = (rank(deviation, error), rank(report.worst, report.error));
+        if report.n == 1 || this > worst || (this == worst && deviation > report.worst) {
             report.worst = deviation;
             report.error = error;
             report.witness = witness().into();
@@ -63,6 +65,17 @@ impl Tallies {
     /// The reports, in the order of [`LawId::ALL`].
     pub fn into_reports(self) -> impl Iterator<Item = LawReport> {
         self.0.into_iter()
+    }
+}
+
+/// How bad a comparison is: by what factor its deviation uses up the error. Where a law of physics is broken, by how much is
+/// what counts.
+fn rank(law: LawId, deviation: f64, error: f64) -> f64 {
+    let ratio = ratio(deviation, error);
+    if law.is_physical() && ratio > 1.0 {
+        1.0 + deviation
+    } else {
+        ratio
     }
 }
 
@@ -89,6 +102,16 @@ mod tests {
                 format!("{deviation}/{error}")
             });
         }
+        // Of what breaks a law of physics, the largest amount is kept, of others the largest factor.
+        tallies.record(LawId::Isotropy, 0.1, 1e-3, String::new);
+        tallies.record(LawId::Isotropy, 0.2, 1e-2, String::new);
+        let mut created = Tallies::default();
+        created.record(LawId::Energy, 0.1, 1e-3, String::new);
+        created.record(LawId::Energy, 0.2, 1e-2, String::new);
+        created.record(LawId::Energy, 0.1, 1e-4, String::new);
+        let mut created = created.into_reports();
+        let energy = created.find(|report| report.law == LawId::Energy);
+        assert_eq!(energy.map(|report| report.worst), Some(0.2));
         tallies.record(LawId::Finite, f64::NAN, 1.0, String::new);
         tallies.record(LawId::Weight, f64::INFINITY, f64::INFINITY, String::new);
         tallies.record(LawId::Deltas, 0.0, f64::NAN, String::new);
@@ -107,6 +130,7 @@ mod tests {
             ("3/4", 4)
         );
         assert_eq!(of(LawId::Energy).status, Status::Ok);
+        assert_eq!(of(LawId::Isotropy).worst, 0.1);
         assert_eq!(of(LawId::Finite).status, Status::Violated);
         assert_eq!(of(LawId::Weight).status, Status::Violated);
         assert_eq!(of(LawId::Deltas).status, Status::Violated);

@@ -11,6 +11,9 @@ use super::table::Table;
 /// The wavelengths that are seen, in nm: those of the tables.
 pub const RANGE_NM: [f64; 2] = [380.0, 780.0];
 
+/// How many wavelengths stand for all: tables of optical constants have no finer features.
+pub const FINEST: usize = 80;
+
 /// Steps of a nanometre in which weights are summed: the tables, read between their rows, are straight there.
 const STEPS_PER_NM: usize = 2;
 

@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
+use super::channels;
 use super::table::Table;
 use crate::bxdf::Component;
 use crate::bxdf::param::Value;
@@ -17,8 +18,8 @@ static ALL: LazyLock<Vec<Constants>> = LazyLock::new(|| {
     all
 });
 
-/// Dominant wavelengths of the BT.709 primaries in nm: where a metal's R, G and B are read.
-pub const CHANNELS_NM: [f64; 3] = [611.4, 549.1, 464.2];
+/// Dominant wavelengths of the BT.709 primaries in nm: where the k of a channel is read that no reflectance fixes.
+const CHANNELS_NM: [f64; 3] = [611.4, 549.1, 464.2];
 
 /// The index of refraction and the extinction coefficient of a substance.
 #[derive(Clone, Debug)]
@@ -26,6 +27,8 @@ pub struct Constants {
     /// The name of its file without `.csv`.
     pub id: &'static str,
     table: Table,
+    /// n and k of red, green and blue.
+    channels: [[f64; 2]; 3],
 }
 
 impl Constants {
@@ -36,7 +39,12 @@ impl Constants {
             return None;
         }
         let table = Table::parse(id, file.contents_utf8()?).ok()?;
-        Some(Self { id, table })
+        let channels = channels::indices(|nm| table.at(nm), CHANNELS_NM);
+        Some(Self {
+            id,
+            table,
+            channels,
+        })
     }
 
     /// n and k of n + ik at `nm`, interpolated linearly; the nearer end's outside the table.
@@ -51,8 +59,15 @@ impl Constants {
         self.table.range_nm()
     }
 
-    /// Those whose n and k at [`CHANNELS_NM`] are `eta` and `k` of `component`; `None` where it has no such parameters, or
-    /// no table has these values.
+    /// n and k of red, green and blue with which a metal reflects, at [`MATCHED_DEG`](super::MATCHED_DEG), the colour that
+    /// its spectrum has.
+    #[must_use]
+    pub fn channels(&self) -> [[f64; 2]; 3] {
+        self.channels
+    }
+
+    /// Those whose [`Self::channels`] are `eta` and `k` of `component`; `None` where it has no such parameters, or no table
+    /// has these values.
     #[must_use]
     pub fn of(component: &Component) -> Option<&'static Self> {
         let params = component.params();
@@ -68,14 +83,12 @@ impl Constants {
         ALL.iter().find(|constants| constants.gives(eta, k))
     }
 
-    /// Whether n and k at [`CHANNELS_NM`] are `eta` and `k`, in four significant digits.
+    /// Whether [`Self::channels`] are `eta` and `k`, in four significant digits.
     #[must_use]
     pub fn gives(&self, eta: [f64; 3], k: [f64; 3]) -> bool {
         let given = eta.into_iter().zip(k);
-        CHANNELS_NM.into_iter().zip(given).all(|(nm, (eta, k))| {
-            let [n, extinction] = self.at(nm);
-            agrees(eta, n) && agrees(k, extinction)
-        })
+        let mut pairs = self.channels.into_iter().zip(given);
+        pairs.all(|([n, extinction], (eta, k))| agrees(eta, n) && agrees(k, extinction))
     }
 }
 

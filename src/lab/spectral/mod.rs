@@ -1,8 +1,10 @@
 //! Light by wavelength: optical constants of substances, and the colour that a spectrum has.
 
+mod channels;
 mod colour;
 mod constants;
 mod table;
 
-pub use colour::{RANGE_NM, rgb_weights, white_chromaticity};
-pub use constants::{CHANNELS_NM, Constants, agrees, find};
+pub use channels::{MATCHED_DEG, colour};
+pub use colour::{FINEST, RANGE_NM, rgb_weights, white_chromaticity};
+pub use constants::{Constants, agrees, find};

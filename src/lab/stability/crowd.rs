@@ -6,7 +6,7 @@ use super::parameters::random_set;
 use super::samples::is_unit;
 use super::tally::{Finding, Tally};
 use crate::analysis::statistics::Random;
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::{Real, Vec3};
 use crate::bxdf::param::ParamSet;
 use crate::bxdf::spec::Precision;
@@ -48,20 +48,6 @@ impl Point {
     }
 }
 
-/// Slices of columns, as batches have them.
-fn columns<R: Copy, const N: usize>(
-    points: &[Point],
-    of: impl Fn(&Point) -> [R; N],
-) -> [Vec<R>; N] {
-    let mut columns = [(); N].map(|()| Vec::with_capacity(points.len()));
-    for point in points {
-        for (column, x) in columns.iter_mut().zip(of(point)) {
-            column.push(x);
-        }
-    }
-    columns
-}
-
 fn in_precision<R: Precision + Real<Stored = R>>(
     model: &ModelSpec,
     params: &ParamSet,
@@ -69,54 +55,46 @@ fn in_precision<R: Precision + Real<Stored = R>>(
     tally: &mut Tally,
 ) {
     let bxdf: Box<dyn Bxdf<R>> = model.build(params);
-    let of = |w: DVec3| [R::of(w.x), R::of(w.y), R::of(w.z)];
-    let wo = columns(points, |point| of(point.wo));
-    let wi = columns(points, |point| of(point.wi));
+    let column = |of: fn(&Point) -> DVec3| {
+        Columns::from_rows(points.iter().map(|point| of(point).to_array().map(R::of)))
+    };
+    let (wo, wi) = (column(|point| point.wo), column(|point| point.wi));
     let last = R::one() - R::of(R::UNIT_ROUNDOFF);
-    let [uc, u, v] = columns(points, |point| point.u.map(|u| R::of(u).min(last)));
-    let zeros = || vec![R::zero(); points.len()];
-    let [mut r, mut g, mut b, mut pdf] = [(); 4].map(|()| zeros());
-    let wo_slices = wo.each_ref().map(Vec::as_slice);
+    let numbers = points
+        .iter()
+        .map(|point| point.u.map(|u| R::of(u).min(last)));
+    let numbers = Columns::from_rows(numbers);
+    let mut values = Columns::filled(R::zero(), points.len());
+    let [r, g, b, pdf] = values.slices_mut();
     let pairs = Job::FPdf {
-        wo: wo_slices,
-        wi: wi.each_ref().map(Vec::as_slice),
-        f: [&mut r, &mut g, &mut b],
-        pdf: &mut pdf,
+        wo: wo.slices(),
+        wi: wi.slices(),
+        f: [r, g, b],
+        pdf,
     };
     bxdf.batch(Path::Dispatched, pairs);
-    let values = r.iter().zip(&g).zip(&b).zip(&pdf);
-    for (point, (((r, g), b), pdf)) in points.iter().zip(values) {
-        count(
-            tally,
-            params,
-            point,
-            found(&[*r, *g, *b, *pdf], false),
-            R::NAME,
-        );
+    let mut add = |point: &Point, finding: Finding| count(tally, params, point, finding, R::NAME);
+    for (point, values) in points.iter().zip(values.rows()) {
+        add(point, found(&values, false));
     }
-    let [mut x, mut y, mut z, mut delta] = [(); 4].map(|()| zeros());
+    let mut drawn = Columns::filled(R::zero(), points.len());
+    let ([r, g, b, pdf], [x, y, z, delta]) = (values.slices_mut(), drawn.slices_mut());
+    let [uc, u, v] = numbers.slices();
     let samples = Job::Sample {
-        wo: wo_slices,
-        uc: &uc,
-        u: [&u, &v],
-        wi: [&mut x, &mut y, &mut z],
-        f: [&mut r, &mut g, &mut b],
-        pdf: &mut pdf,
-        delta: &mut delta,
+        wo: wo.slices(),
+        uc,
+        u: [u, v],
+        wi: [x, y, z],
+        f: [r, g, b],
+        pdf,
+        delta,
     };
     bxdf.batch(Path::Dispatched, samples);
-    let directions = x.iter().zip(&y).zip(&z);
-    let values = r.iter().zip(&g).zip(&b).zip(&pdf);
-    for ((point, ((x, y), z)), (((r, g), b), pdf)) in points.iter().zip(directions).zip(values) {
+    for ((point, [x, y, z, _]), values) in points.iter().zip(drawn.rows()).zip(values.rows()) {
         // No density is no sample.
-        let is_long = *pdf > R::zero() && !is_unit(Vec3::new(*x, *y, *z));
-        count(
-            tally,
-            params,
-            point,
-            found(&[*r, *g, *b, *pdf], is_long),
-            R::NAME,
-        );
+        let [.., pdf] = values;
+        let is_long = pdf > R::zero() && !is_unit(Vec3::new(x, y, z));
+        add(point, found(&values, is_long));
     }
 }
 

@@ -4,16 +4,13 @@ use glam::DVec3;
 
 use super::precision::{Batch, by_pair, values_in};
 use super::{Bench, CostUnit, Family, Point, Stop, Study};
-use crate::bxdf::batch::Path;
+use crate::bxdf::batch::{Columns, Path};
 use crate::bxdf::param::{Kind, Value};
 use crate::bxdf::{Bxdf, Component, Material, Precision};
-use crate::lab::spectral::{Constants, RANGE_NM, rgb_weights};
+use crate::lab::spectral::{Constants, FINEST, RANGE_NM, rgb_weights};
 
 /// How many wavelengths are tried.
 const COUNTS: [usize; 3] = [8, 16, 31];
-
-/// How many stand for all.
-const FINEST: usize = 80;
 
 /// The family.
 pub(super) struct Channels;
@@ -64,7 +61,7 @@ impl Family for Channels {
             let fine = Spectral::<f64>::new(study.material, &substances, count);
             let errors = baseline.errors(&|pairs: &[(DVec3, DVec3)]| fine.values(pairs));
             let single = Spectral::<f32>::new(study.material, &substances, count);
-            let mut sum = [(); 3].map(|()| vec![0.0_f32; pairs.len()]);
+            let mut sum = Columns::filled(0.0_f32, pairs.len());
             let size = n * single.parts.len() as f64;
             let cost = bench.time(size, &mut || single.add_up(&mut batch, &mut sum));
             let point = Point::new("wavelengths").with_errors(errors);
@@ -156,13 +153,14 @@ impl<R: Precision<Stored = R>> Spectral<R> {
     }
 
     /// f as R, G and B in 1/sr at the pairs of `batch`, into `sum`.
-    fn add_up(&self, batch: &mut Batch<R>, sum: &mut [Vec<R>; 3]) {
-        for channel in &mut *sum {
+    fn add_up(&self, batch: &mut Batch<R>, sum: &mut Columns<R, 3>) {
+        let mut sum = sum.slices_mut();
+        for channel in &mut sum {
             channel.fill(R::zero());
         }
         for part in &self.parts {
             batch.run(&*part.bxdf, Path::Dispatched);
-            for (values, weights) in batch.values().iter().zip(part.weights) {
+            for (values, weights) in batch.values().slices().into_iter().zip(part.weights) {
                 for (channel, weight) in sum.iter_mut().zip(weights.map(R::of)) {
                     for (sum, value) in channel.iter_mut().zip(values) {
                         *sum = *sum + weight * *value;
@@ -173,7 +171,7 @@ impl<R: Precision<Stored = R>> Spectral<R> {
     }
 
     fn values(&self, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
-        let mut sum = [(); 3].map(|()| vec![R::zero(); pairs.len()]);
+        let mut sum = Columns::filled(R::zero(), pairs.len());
         self.add_up(&mut Batch::new(pairs), &mut sum);
         by_pair(&sum)
     }
@@ -224,8 +222,10 @@ mod tests {
         let [rgb, eight, sixteen, many] = &points[..] else {
             panic!("{points:?}");
         };
-        // The colour of gold is known to be off where three wavelengths stand for the spectrum, visibly (above 1).
-        assert!(rgb.delta_e.unwrap() > 1.0, "{rgb:?}");
+        // Three colours follow the spectrum but for the red of gold, which lies outside sRGB by 4 %. With n and k read at three
+        // wavelengths they were 7 % off, and plain to see: a difference of 6.
+        assert!(rgb.error_rms < 0.04, "{rgb:?}");
+        assert!(rgb.delta_e.unwrap() < 3.0, "{rgb:?}");
         assert!(eight.error_rms < rgb.error_rms, "{eight:?}");
         assert!(sixteen.error_rms < eight.error_rms, "{sixteen:?}");
         assert!(

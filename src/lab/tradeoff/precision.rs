@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use xprec::Df64;
 
 use super::{Bench, CostUnit, Family, Point, Stop, Study};
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::Real;
 use crate::bxdf::{Bxdf, Precision};
 
@@ -101,37 +101,37 @@ fn pair_by_pair(bxdf: &dyn Bxdf<Df64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]
 
 /// Pairs of directions and room for their values, component by component.
 pub(super) struct Batch<R> {
-    wo: [Vec<R>; 3],
-    wi: [Vec<R>; 3],
-    f: [Vec<R>; 3],
+    wo: Columns<R, 3>,
+    wi: Columns<R, 3>,
+    f: Columns<R, 3>,
 }
 
 impl<R: Precision + Real<Stored = R>> Batch<R> {
     /// Of these pairs (wo, wi).
     pub(super) fn new(pairs: &[(DVec3, DVec3)]) -> Self {
         let components = |pick: fn(&(DVec3, DVec3)) -> DVec3| {
-            [0, 1, 2].map(|axis| pairs.iter().map(|pair| R::of(pick(pair)[axis])).collect())
+            Columns::from_rows(pairs.iter().map(|pair| pick(pair).to_array().map(R::of)))
         };
         Self {
             wo: components(|pair| pair.0),
             wi: components(|pair| pair.1),
-            f: [(); 3].map(|()| vec![R::zero(); pairs.len()]),
+            f: Columns::filled(R::zero(), pairs.len()),
         }
     }
 
     /// Evaluates f of all pairs.
     pub(super) fn run(&mut self, bxdf: &dyn Bxdf<R>, path: Path) {
         let job = Job::F {
-            wo: self.wo.each_ref().map(Vec::as_slice),
-            wi: self.wi.each_ref().map(Vec::as_slice),
-            f: self.f.each_mut().map(Vec::as_mut_slice),
+            wo: self.wo.slices(),
+            wi: self.wi.slices(),
+            f: self.f.slices_mut(),
         };
         bxdf.batch(path, job);
         std::hint::black_box(&self.f);
     }
 
     /// What [`Self::run`] found last, channel by channel.
-    pub(super) fn values(&self) -> &[Vec<R>; 3] {
+    pub(super) fn values(&self) -> &Columns<R, 3> {
         &self.f
     }
 }
@@ -148,9 +148,6 @@ pub(super) fn values_in<R: Precision + Real<Stored = R>>(
 }
 
 /// Values by channel as values by pair.
-pub(super) fn by_pair<R: Real>([r, g, b]: &[Vec<R>; 3]) -> Vec<[f64; 3]> {
-    let channels = r.iter().zip(g).zip(b);
-    channels
-        .map(|((r, g), b)| [r, g, b].map(|x| x.as_f64()))
-        .collect()
+pub(super) fn by_pair<R: Real>(channels: &Columns<R, 3>) -> Vec<[f64; 3]> {
+    channels.rows().map(|f| f.map(R::as_f64)).collect()
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use sobol_burley::sample;
 
 use crate::analysis::sphere::pair_at;
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::warp;
 use crate::bxdf::{Bxdf, Material, Side};
 
@@ -211,12 +211,12 @@ impl Sides {
 
 /// The pdf of `bxdf` at `wo` and each of `wi`.
 fn densities(bxdf: &dyn Bxdf<f64>, wo: DVec3, wi: &[DVec3]) -> Vec<f64> {
-    let held = [wo.x, wo.y, wo.z].map(|x| vec![x; wi.len()]);
-    let (x, (y, z)): (Vec<_>, (Vec<_>, Vec<_>)) = wi.iter().map(|w| (w.x, (w.y, w.z))).unzip();
+    let held = Columns::repeated(wo.to_array(), wi.len());
+    let free = Columns::from_rows(wi.iter().map(DVec3::to_array));
     let mut pdf = vec![0.0; wi.len()];
     let job = Job::Pdf {
-        wo: held.each_ref().map(Vec::as_slice),
-        wi: [&x, &y, &z],
+        wo: held.slices(),
+        wi: free.slices(),
         pdf: &mut pdf,
     };
     bxdf.batch(Path::Dispatched, job);

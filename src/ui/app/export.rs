@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::time::Duration;
 
-use egui::Context;
+use egui::{ColorImage, Context};
 
 use super::App;
 use crate::error::{Error, Result};
@@ -14,6 +14,7 @@ use crate::ui::platform;
 use crate::ui::session::ViewId;
 use crate::ui::store::Question;
 use crate::ui::views;
+use crate::ui::widgets::saved::Saved;
 
 /// The size of an exported view, in points, and its pixels per point: legible in print.
 const SIZE: [u32; 2] = [960, 720];
@@ -27,8 +28,21 @@ const POLL: f64 = 0.1;
 pub struct Exports {
     /// What a place is being asked for.
     asked: Option<(ViewId, Format)>,
-    /// What is being made, and where it will be written.
-    making: Vec<(PathBuf, Receiver<Result<Vec<u8>>>)>,
+    /// What is being made.
+    making: Vec<Making>,
+}
+
+/// What is being made.
+struct Making {
+    /// Where it will be written; `None` for the clipboard.
+    path: Option<PathBuf>,
+    answer: Receiver<Result<Made>>,
+}
+
+/// What is made.
+enum Made {
+    File(Vec<u8>),
+    Picture(ColorImage),
 }
 
 impl App {
@@ -58,44 +72,86 @@ impl App {
         let Some((view, format)) = self.exports.asked.take() else {
             return;
         };
-        let picture = Picture {
+        let picture = self.picture_of(view, ctx);
+        let path = Some(path.to_owned());
+        self.make(
+            path,
+            move || export::bytes(picture, format).map(Made::File),
+            ctx,
+        );
+    }
+
+    /// Begins to make a picture of a view for the clipboard: the one that a file of it would hold.
+    pub(super) fn copy_picture(&mut self, view: ViewId, ctx: &Context) {
+        let picture = self.picture_of(view, ctx);
+        let make = move || {
+            let image = picture.image()?;
+            let size = [image.width(), image.height()].map(|side| side as usize);
+            Ok(Made::Picture(ColorImage::from_rgba_unmultiplied(
+                size, &image,
+            )))
+        };
+        self.make(None, make, ctx);
+    }
+
+    fn picture_of(&self, view: ViewId, ctx: &Context) -> Picture {
+        Picture {
             session: self.session.clone(),
             only: views::find(view.as_str()).ok(),
             size: SIZE,
             scale: SCALE,
             theme: ctx.theme(),
-        };
-        let (sender, receiver) = mpsc::channel();
+        }
+    }
+
+    fn make(
+        &mut self,
+        path: Option<PathBuf>,
+        make: impl FnOnce() -> Result<Made> + Send + 'static,
+        ctx: &Context,
+    ) {
+        let (sender, answer) = mpsc::channel();
         let wake = ctx.clone();
-        let make = move || {
+        let work = move || {
             // Nobody listens where the window is closed meanwhile.
-            let _ = sender.send(export::bytes(picture, format));
+            let _ = sender.send(make());
             wake.request_repaint();
         };
-        if platform::spawn(make) {
-            self.exports.making.push((path.to_owned(), receiver));
+        if platform::compute(work) {
+            self.exports.making.push(Making { path, answer });
         } else {
-            self.notice.say(&"no thread to make the file");
+            self.notice.say(&"no thread to make it");
         }
     }
 
     /// Writes the files that are made.
     pub(super) fn write_exports(&mut self, ctx: &Context) {
         let mut still = Vec::new();
-        for (path, receiver) in std::mem::take(&mut self.exports.making) {
-            let made = match receiver.try_recv() {
+        for making in std::mem::take(&mut self.exports.making) {
+            let made = match making.answer.try_recv() {
                 Ok(made) => made,
                 Err(TryRecvError::Empty) => {
-                    still.push((path, receiver));
+                    still.push(making);
                     continue;
                 }
                 Err(TryRecvError::Disconnected) => Err(Error::parse(
-                    path.display().to_string(),
+                    making
+                        .path
+                        .as_ref()
+                        .map_or("picture".into(), |path| path.to_string_lossy()),
                     "it could not be made",
                 )),
             };
-            let written = made.and_then(|bytes| self.write_file(&path, &bytes));
-            self.notice.report(written);
+            let done = made.and_then(|made| match (made, &making.path) {
+                (Made::File(bytes), Some(path)) => self.write_file(path, &bytes),
+                (Made::Picture(image), _) => {
+                    ctx.copy_image(image);
+                    self.saved = Some(Saved::done("The picture is in the clipboard"));
+                    Ok(())
+                }
+                (Made::File(_), None) => Ok(()),
+            });
+            self.notice.report(done);
         }
         self.exports.making = still;
         if !self.exports.making.is_empty() {

@@ -1,40 +1,40 @@
 //! The window: panels around the views.
 
-use egui::{Align, CentralPanel, Context, Event, Key, Layout, Panel, RichText, ScrollArea, Ui};
+use std::sync::{Arc, Mutex};
+
+use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, ScrollArea, Ui};
 
 use super::commands::Command;
 use super::data::Data;
 use super::history::History;
 use super::jobs::Clock;
+use super::pacing::Pacing;
 use super::session::{SHARES, Session};
 use super::theme::{self, Palette};
-use super::tiles::ViewTiles;
+use super::tiles::{ViewTiles, Wish};
 use super::views::{Cursor, ViewContext, ViewSpec, ViewState};
 use super::widgets::components::Components;
 use super::widgets::materials::MaterialList;
 use super::widgets::notice::Notice;
 use super::widgets::params::Ties;
 use super::widgets::picker::Picker;
+use super::widgets::said::Said;
+use super::widgets::saved::Saved;
 use super::widgets::search::{Outcome, Search};
 use super::widgets::{badges, directions, help, layouts, options, status};
-use super::{commands, scene3d};
+use super::{commands, scene3d, views};
 use crate::analysis::Detail;
+use crate::error::Error;
 use crate::lab::timing::Stopwatch;
 use export::Exports;
 use files::Files;
+use reading::Readings;
 
+mod asking;
 mod export;
 mod files;
-
-/// Keys that change the value of a control a little at a time.
-const MOVING_OR_TYPING: [Key; 6] = [
-    Key::ArrowLeft,
-    Key::ArrowRight,
-    Key::ArrowUp,
-    Key::ArrowDown,
-    Key::Backspace,
-    Key::Delete,
-];
+mod keys;
+mod reading;
 
 /// The application.
 pub struct App {
@@ -50,8 +50,13 @@ pub struct App {
     components: Components,
     list: MaterialList,
     notice: Notice,
+    said: Said,
+    pacing: Pacing,
+    saved: Option<Saved>,
     files: Option<Files>,
+    readings: Readings,
     exports: Exports,
+    exit_problem: Arc<Mutex<Option<Error>>>,
     search: Option<Search>,
     is_help_shown: bool,
     tiles: Option<ViewTiles>,
@@ -69,11 +74,13 @@ impl App {
         clock: Option<Clock>,
     ) -> Self {
         theme::apply(&cc.egui_ctx);
+        keys::allow_slow_clicks(&cc.egui_ctx);
         if let Some(render_state) = &cc.wgpu_render_state {
             scene3d::init(render_state);
         }
         // Without a clock nothing is timed: pictures and tests need no frames to wait for.
         let picker = Picker::new(clock.is_none());
+        let readings = Readings::new(clock.is_some());
         let ctx = cc.egui_ctx.clone();
         Self {
             history: History::new(&session),
@@ -86,12 +93,24 @@ impl App {
             components: Components::default(),
             list: MaterialList::default(),
             notice: Notice::default(),
+            said: Said::default(),
+            pacing: Pacing::default(),
+            saved: None,
             files: None,
+            readings,
             exports: Exports::default(),
+            exit_problem: Arc::default(),
             search: None,
             is_help_shown: false,
             tiles: None,
         }
+    }
+
+    /// The application as pictures show it: without what stands over a view for a hand alone.
+    #[must_use]
+    pub fn for_picture(mut self) -> Self {
+        self.state.is_picture = true;
+        self
     }
 
     /// The least detail in which the last frame shows the session; `None` where a part of it is older.
@@ -119,7 +138,10 @@ impl App {
             cursor: &mut self.cursor,
             palette,
         };
-        ui.push_id(view.id, |ui| (view.show)(ui, &mut cx));
+        ui.push_id(view.id, |ui| {
+            views::warn_of_held(ui, &mut cx, view);
+            (view.show)(ui, &mut cx);
+        });
     }
 
     fn show_side(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -149,9 +171,10 @@ impl App {
             };
             ui.push_id(before.id(), |ui| {
                 let title = materials.title(&before);
-                let clicked = badges::show(ui, &title, &before, &mut self.data, palette);
+                let material = &mut edited.material;
+                let clicked = badges::show(ui, &title, &before, material, &mut self.data, palette);
                 wished = clicked.or(wished.take());
-                self.components.show(ui, &mut edited.material, &mut ties);
+                self.components.show(ui, material, &mut ties);
             });
             if edited != before {
                 *materials.selected_mut() = edited;
@@ -203,6 +226,12 @@ impl App {
         }
     }
 
+    /// Begins anew, with all there is to choose from.
+    pub fn start_anew(&mut self) {
+        self.session = Session::default();
+        self.picker.clear_search();
+    }
+
     /// Replaces the session and forgets what was done before: there is nothing to undo.
     fn restart(&mut self, session: Session) {
         self.history = History::new(&session);
@@ -210,8 +239,8 @@ impl App {
     }
 
     /// Lets the picker add the next choice, or not any more.
-    pub fn start_adding(&mut self) {
-        self.picker.is_adding ^= true;
+    pub fn start_adding(&mut self, ctx: &Context) {
+        self.picker.start_adding(ctx);
     }
 
     /// Adds another material like the selected one.
@@ -230,8 +259,14 @@ impl App {
     }
 
     /// Shows the search of the commands.
-    pub fn start_search(&mut self) {
-        self.search = Some(Search::default());
+    pub fn start_search(&mut self, ctx: &Context) {
+        self.search = Some(Search::begin(ctx));
+    }
+
+    /// Whether it is shown what keys and the mouse do.
+    #[must_use]
+    pub fn is_help_shown(&self) -> bool {
+        self.is_help_shown
     }
 
     /// Shows what keys and the mouse do, or no longer.
@@ -239,8 +274,9 @@ impl App {
         self.is_help_shown ^= true;
     }
 
-    /// The windows above all else: the help, and the search of the commands.
-    fn show_windows(&mut self, ctx: &Context) {
+    /// The windows above all else: the help, the search of the commands, and what a key did, over the `views`.
+    fn show_windows(&mut self, ctx: &Context, views: Rect) {
+        self.show_path_field(ctx);
         if self.is_help_shown {
             self.is_help_shown = help::show(ctx);
         }
@@ -248,9 +284,10 @@ impl App {
             match search.show(ctx, self) {
                 Outcome::Open => self.search = Some(search),
                 Outcome::Closed => {}
-                Outcome::Chosen(command) => command.try_run(self, ctx),
+                Outcome::Chosen(command) => command.run_and_say(self, ctx),
             }
         }
+        self.said.show(ctx, views);
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -261,20 +298,32 @@ impl App {
         });
         self.tiles = Some(tiles);
         self.session.layout = layout;
-        if let Some((view, format)) = wished.or_else(|| self.state.take_wished_file()) {
-            self.ask_export(view, format);
+        let asked = self.state.take_wished_file();
+        match wished.or_else(|| asked.map(|(view, format)| (view, Wish::Export(format)))) {
+            Some((view, Wish::Export(format))) => self.ask_export(view, format),
+            Some((view, Wish::CopyPicture)) => self.copy_picture(view, ui.ctx()),
+            None => {}
         }
     }
 }
 
 impl eframe::App for App {
+    fn raw_input_hook(&mut self, _ctx: &Context, raw_input: &mut RawInput) {
+        self.pacing.pace(&mut raw_input.events);
+    }
+
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.pacing.take();
+        if self.pacing.is_waiting() {
+            ui.ctx().request_repaint();
+        }
         let palette = Palette::of(ui.ctx().theme());
         let is_small = ui.available_size().min(theme::USABLE_SIZE) != theme::USABLE_SIZE;
         if is_small && self.only.is_none() {
             CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
             return;
         }
+        self.session.keep_allowed(self.history.present());
         self.data.begin_frame(&self.session);
         self.state.begin_frame();
         let before = self.cursor;
@@ -305,20 +354,27 @@ impl eframe::App for App {
             );
         });
         self.notice.show(ui);
+        self.show_reading(ui);
+        if self.saved.as_mut().is_some_and(|saved| !saved.show(ui)) {
+            self.saved = None;
+        }
         Panel::left("side")
             .resizable(false)
             .exact_size(theme::SIDE_WIDTH)
             .show(ui, |ui| self.show_side(ui, &palette));
         Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
-        CentralPanel::no_frame()
+        let views = CentralPanel::no_frame()
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
-        self.show_windows(ui.ctx());
+        self.show_windows(ui.ctx(), views.response.rect);
+        self.session.keep_allowed(self.history.present());
+        self.refuse_what_does_not_fit();
         self.history
-            .record(&self.session, control_at_work(ui.ctx()));
+            .record(&self.session, keys::control_at_work(ui.ctx()));
         self.keep(ui.ctx());
-        if self.cursor != before {
+        // Panels are drawn before the views: what was said since is shown by the next frame.
+        if self.cursor != before || self.notice.is_new() {
             ui.ctx().request_repaint();
         }
     }
@@ -326,17 +382,4 @@ impl eframe::App for App {
     fn on_exit(&mut self) {
         self.keep_now();
     }
-}
-
-/// The control whose edits are one step together: the one that is dragged, or the one that has the keyboard while keys
-/// that move or type are pressed.
-fn control_at_work(ctx: &Context) -> Option<egui::Id> {
-    let dragged = ctx.dragged_id().or(ctx.drag_stopped_id());
-    let is_key = |event: &Event| match event {
-        Event::Text(_) => true,
-        Event::Key { key, pressed, .. } => *pressed && MOVING_OR_TYPING.contains(key),
-        _ => false,
-    };
-    let is_keyed = ctx.input(|input| input.events.iter().any(is_key));
-    dragged.or_else(|| ctx.memory(egui::Memory::focused).filter(|_| is_keyed))
 }

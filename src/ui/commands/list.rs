@@ -5,7 +5,7 @@ use egui::{Key, KeyboardShortcut, Modifiers, ViewportCommand};
 use super::{Command, Group, command};
 use crate::analysis::Hold;
 use crate::ui::app::App;
-use crate::ui::session::{Curves, MAX_MATERIALS, Session};
+use crate::ui::session::{Curves, MAX_MATERIALS};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
@@ -24,7 +24,7 @@ pub static NEW: Command = command(
         "Begin anew; undo brings this session back",
     ],
     &[key(CTRL, Key::N)],
-    |app, _| app.session = Session::default(),
+    |app, _| app.start_anew(),
 );
 
 /// Opens a file.
@@ -118,10 +118,10 @@ pub static ADD: Command = Command {
         [
             "add",
             "Add…",
-            "Add the model or material chosen next in the list at the side",
+            "Add the model or material that is searched for or clicked next in the list at the side",
         ],
         &[key(CTRL, Key::M)],
-        |app, _| app.start_adding(),
+        App::start_adding,
     )
 };
 
@@ -161,6 +161,15 @@ pub static REMOVE: Command = Command {
 /// Shows the selected material alone.
 pub static SOLO: Command = Command {
     is_enabled: is_several,
+    state: Some(|app| {
+        let materials = &app.session.materials;
+        let shown = materials.solo().and_then(|id| materials.get(id));
+        let title = shown.map(|entry| materials.title(entry));
+        title.map_or_else(
+            || "All materials are shown that are not hidden".to_owned(),
+            |title| format!("Shown alone: {title}"),
+        )
+    }),
     ..command(
         Group::Materials,
         [
@@ -209,52 +218,62 @@ pub static NEXT: Command = Command {
 };
 
 /// Holds the other direction.
-pub static HOLD: Command = command(
-    Group::View,
-    [
-        "hold",
-        "Hold the light or the viewer",
-        "Go over from the one direction held to the other",
-    ],
-    &[key(PLAIN, Key::H)],
-    |app, _| {
-        app.session.hold = match app.session.hold {
-            Hold::Light => Hold::Viewer,
-            Hold::Viewer => Hold::Light,
-        };
-    },
-);
+pub static HOLD: Command = Command {
+    state: Some(|app| format!("Held: {}", app.session.held_name())),
+    ..command(
+        Group::View,
+        [
+            "hold",
+            "Hold the light or the viewer",
+            "Go over from the one direction held to the other",
+        ],
+        &[key(PLAIN, Key::H)],
+        |app, _| {
+            app.session.hold = match app.session.hold {
+                Hold::Light => Hold::Viewer,
+                Hold::Viewer => Hold::Light,
+            };
+        },
+    )
+};
 
 /// Changes between the radial scales.
-pub static SCALE: Command = command(
-    Group::View,
-    [
-        "scale",
-        "Linear or logarithmic radius",
-        "Go over from lengths in proportion to f to lengths by decades, or back",
-    ],
-    &[key(PLAIN, Key::L)],
-    |app, _| {
-        let is_logarithmic = app.session.scale.is_logarithmic();
-        app.session.set_logarithmic(!is_logarithmic);
-    },
-);
+pub static SCALE: Command = Command {
+    state: Some(|app| switched("Logarithmic radius", app.session.scale.is_logarithmic())),
+    ..command(
+        Group::View,
+        [
+            "scale",
+            "Linear or logarithmic radius",
+            "Go over from lengths in proportion to f to lengths by decades, or back",
+        ],
+        &[key(PLAIN, Key::L)],
+        |app, _| {
+            let is_logarithmic = app.session.scale.is_logarithmic();
+            app.session.set_logarithmic(!is_logarithmic);
+        },
+    )
+};
 
 /// Multiplies by the cosine, or does not.
-pub static COSINE: Command = command(
-    Group::View,
-    [
-        "cosine",
-        "Times cos θ",
-        "Show f |cos θ| of the free direction, or f alone",
-    ],
-    &[key(PLAIN, Key::C)],
-    |app, _| app.session.with_cosine ^= true,
-);
+pub static COSINE: Command = Command {
+    state: Some(|app| switched(COSINE.title, app.session.with_cosine)),
+    ..command(
+        Group::View,
+        [
+            "cosine",
+            "Times cos θ",
+            "Show f |cos θ| of the free direction, or f alone",
+        ],
+        &[key(PLAIN, Key::C)],
+        |app, _| app.session.with_cosine ^= true,
+    )
+};
 
 /// Changes between luminance and channels.
 pub static CURVES: Command = Command {
     is_enabled: |app| !app.session.materials.is_overlay(),
+    state: Some(|app| switched("R, G and B", app.session.curves == Curves::Rgb)),
     ..command(
         Group::View,
         [
@@ -273,16 +292,19 @@ pub static CURVES: Command = Command {
 };
 
 /// Draws the angles, or does not.
-pub static ANGLES: Command = command(
-    Group::View,
-    [
-        "angles",
-        "Angles of the held direction",
-        "Draw theta, phi and the projection in the 3D lobe, or do not",
-    ],
-    &[key(PLAIN, Key::A)],
-    |app, _| app.session.show_geometry ^= true,
-);
+pub static ANGLES: Command = Command {
+    state: Some(|app| switched(ANGLES.title, app.session.show_geometry)),
+    ..command(
+        Group::View,
+        [
+            "angles",
+            "Angles of the held direction",
+            "Draw theta, phi and the projection in the 3D lobe, or do not",
+        ],
+        &[key(PLAIN, Key::A)],
+        |app, _| app.session.show_geometry ^= true,
+    )
+};
 
 /// Searches the commands.
 pub static SEARCH: Command = command(
@@ -293,16 +315,19 @@ pub static SEARCH: Command = command(
         "Find a command by its name and run it",
     ],
     &[key(CTRL, Key::K), key(CTRL, Key::P)],
-    |app, _| app.start_search(),
+    App::start_search,
 );
 
 /// Shows the help.
-pub static HELP: Command = command(
-    Group::Help,
-    ["help", "Shortcuts", "Show what keys and the mouse do"],
-    &[key(PLAIN, Key::F1), key(PLAIN, Key::Questionmark)],
-    |app, _| app.show_help(),
-);
+pub static HELP: Command = Command {
+    state: Some(|app| switched(HELP.title, app.is_help_shown())),
+    ..command(
+        Group::Help,
+        ["help", "Shortcuts", "Show what keys and the mouse do"],
+        &[key(PLAIN, Key::F1), key(PLAIN, Key::Questionmark)],
+        |app, _| app.show_help(),
+    )
+};
 
 /// Every command, in the order of the menus and the help.
 pub static COMMANDS: [&Command; 21] = [
@@ -335,4 +360,9 @@ fn has_room(app: &App) -> bool {
 
 fn is_several(app: &App) -> bool {
     app.session.materials.count() > 1
+}
+
+/// A thing that is on or off.
+fn switched(what: &str, is_on: bool) -> String {
+    format!("{what}: {}", if is_on { "on" } else { "off" })
 }

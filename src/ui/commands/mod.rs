@@ -1,6 +1,6 @@
 //! The commands: what each is, and how it is run, by buttons and by keys.
 
-use egui::{Button, Context, KeyboardShortcut, Modifiers, Ui};
+use egui::{Button, Context, Event, InputState, KeyboardShortcut, Modifiers, Ui};
 
 use super::app::App;
 
@@ -62,6 +62,8 @@ pub struct Command {
     pub is_enabled: fn(&App) -> bool,
     /// Does it.
     pub run: fn(&mut App, &Context),
+    /// How things are now that it changes, in a few words; for what one sees anyway there are none.
+    pub state: Option<fn(&App) -> String>,
 }
 
 /// A command that can always be done: the start from which the others differ.
@@ -79,6 +81,7 @@ const fn command(
         shortcuts,
         is_enabled: |_| true,
         run,
+        state: None,
     }
 }
 
@@ -87,6 +90,18 @@ impl Command {
     pub fn try_run(&self, app: &mut App, ctx: &Context) {
         if (self.is_enabled)(app) {
             (self.run)(app, ctx);
+        }
+    }
+
+    /// Does it, if it can be done now, and says what has become of it.
+    pub fn run_and_say(&self, app: &mut App, ctx: &Context) {
+        if !(self.is_enabled)(app) {
+            app.say(format!("Not possible now: {}", self.title), ctx);
+            return;
+        }
+        (self.run)(app, ctx);
+        if let Some(state) = self.state {
+            app.say(state(app), ctx);
         }
     }
 
@@ -138,24 +153,73 @@ impl Command {
     }
 }
 
-/// Runs the commands whose keys are pressed. A text field that is being typed in keeps its own.
+/// Runs the commands whose keys are pressed, in their order, until one of them gives the focus to a text: what follows is
+/// typed there. A text that has the focus keeps all keys.
 pub fn run_pressed(app: &mut App, ctx: &Context) {
-    if ctx.text_edit_focused() {
-        return;
-    }
-    let keys_of =
-        |command: &'static Command| command.shortcuts.iter().map(move |keys| (command, keys));
-    let mut all: Vec<_> = COMMANDS.into_iter().flat_map(keys_of).collect();
-    // egui takes Ctrl+Shift+Z for Ctrl+Z too: the more modifiers, the earlier.
-    all.sort_by_key(|(_, keys)| {
-        let Modifiers { alt, shift, .. } = keys.modifiers;
-        std::cmp::Reverse(u8::from(alt) + u8::from(shift))
-    });
-    for (command, keys) in all {
-        if ctx.input_mut(|input| input.consume_shortcut(keys)) {
-            command.try_run(app, ctx);
+    while !app.is_typed_in(ctx) {
+        let Some(pressed) = ctx.input_mut(take_pressed) else {
+            return;
+        };
+        if !is_letter(*pressed.keys) {
+            pressed.command.try_run(app, ctx);
+        } else if !pressed.is_repeated {
+            pressed.command.run_and_say(app, ctx);
         }
     }
+}
+
+/// Keys of a command that are pressed.
+struct Pressed {
+    command: &'static Command,
+    keys: &'static KeyboardShortcut,
+    /// Whether they are held since an earlier frame.
+    is_repeated: bool,
+}
+
+/// Takes the first keys of a command out of the events, with the text that they would type.
+fn take_pressed(input: &mut InputState) -> Option<Pressed> {
+    let mut events = input.events.iter().enumerate();
+    let (index, pressed) = events.find_map(|(index, event)| Some((index, pressed(event)?)))?;
+    input.events.remove(index);
+    if matches!(input.events.get(index), Some(Event::Text(_))) {
+        input.events.remove(index);
+    }
+    Some(pressed)
+}
+
+fn pressed(event: &Event) -> Option<Pressed> {
+    let Event::Key {
+        key,
+        pressed: true,
+        modifiers,
+        repeat,
+        ..
+    } = event
+    else {
+        return None;
+    };
+    let all = COMMANDS.into_iter().flat_map(|command| {
+        let keys = command.shortcuts.iter();
+        keys.map(move |keys| (command, keys))
+    });
+    let is_meant = |(_, keys): &(&Command, &KeyboardShortcut)| {
+        keys.logical_key == *key && modifiers.matches_logically(keys.modifiers)
+    };
+    // egui takes Ctrl+Shift+Z for Ctrl+Z too: the more modifiers, the earlier.
+    let (command, keys) = all.filter(is_meant).max_by_key(|(_, keys)| {
+        let Modifiers { alt, shift, .. } = keys.modifiers;
+        u8::from(alt) + u8::from(shift)
+    })?;
+    Some(Pressed {
+        command,
+        keys,
+        is_repeated: *repeat,
+    })
+}
+
+/// Whether these keys would type something into a text: nothing at them says that they do more.
+fn is_letter(keys: KeyboardShortcut) -> bool {
+    keys.modifiers.is_none() && keys.logical_key.symbol_or_name().chars().count() == 1
 }
 
 #[cfg(test)]
@@ -178,6 +242,16 @@ mod tests {
         }
         for command in COMMANDS {
             assert!(!command.shortcuts.is_empty() && !command.hint.ends_with('.'));
+        }
+    }
+
+    #[test]
+    fn what_a_letter_does_can_be_said() {
+        let has_letter = |command: &&Command| command.shortcuts.iter().copied().any(is_letter);
+        let with_letters: Vec<&Command> = COMMANDS.into_iter().filter(has_letter).collect();
+        assert!(with_letters.len() > 5);
+        for command in with_letters {
+            assert!(command.state.is_some(), "{}", command.id);
         }
     }
 }

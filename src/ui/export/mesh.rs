@@ -11,7 +11,9 @@ use base64::engine::general_purpose::STANDARD;
 use glam::DVec3;
 use serde_json::{Value, json};
 
+use super::names::Names;
 use crate::analysis::Channel;
+use crate::analysis::lobe::Arrow;
 use crate::analysis::lobe3d::{Mesh, Vertex};
 
 /// A lobe with the name of its material.
@@ -24,9 +26,24 @@ pub struct Named {
     pub mesh: Arc<Mesh>,
     /// Whether lengths carry |cos(theta)|.
     pub with_cosine: bool,
+    /// What lengths are called.
+    pub names: Names,
+    /// The Dirac deltas, which the mesh does not have.
+    pub deltas: Arc<Vec<Arrow>>,
 }
 
 impl Named {
+    /// Whether there is a mesh: light that is all in deltas has none.
+    #[must_use]
+    pub fn has_mesh(&self) -> bool {
+        !self.mesh.triangles.is_empty()
+    }
+
+    /// What a length is: the column of the luminance in the view's table.
+    fn length(&self) -> String {
+        self.names.column("luminance")
+    }
+
     /// Where the vertices stand.
     fn places(&self) -> impl Iterator<Item = DVec3> + '_ {
         self.mesh
@@ -46,12 +63,28 @@ impl Named {
 /// The lobes as an OBJ file, an object each; its numbers have all their digits.
 #[must_use]
 pub fn obj(lobes: &[Named]) -> String {
-    let mut text =
-        String::from("# Lobes: direction times f, a unit of length is 1/sr; x = s, y = t, z = n\n");
+    let mut text = String::new();
+    let length = lobes.first().map_or_else(String::new, Named::length);
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "# Lobes: direction times {length}, a unit of length is 1/sr; x = s, y = t, z = n"
+    );
+    for lobe in lobes {
+        for arrow in lobe.deltas.iter() {
+            let (w, [r, g, b]) = (arrow.direction, arrow.flux);
+            // A name may not end the comment.
+            let name = lobe.name.replace(char::is_control, " ");
+            let _ = writeln!(
+                text,
+                "# Delta of {name}: direction {} {} {}, share of the flux {r} {g} {b}",
+                w.x, w.y, w.z
+            );
+        }
+    }
     // Indices count from 1 through the whole file.
     let mut first = 1;
-    for lobe in lobes {
-        // Writing to a string cannot fail.
+    for lobe in lobes.iter().filter(|lobe| lobe.has_mesh()) {
         let _ = writeln!(text, "o {}", lobe.name.replace(char::is_whitespace, "_"));
         for place in lobe.places() {
             let _ = writeln!(text, "v {} {} {}", place.x, place.y, place.z);
@@ -82,7 +115,19 @@ pub fn gltf(lobes: &[Named]) -> String {
     let mut bytes: Vec<u8> = Vec::new();
     let (mut views, mut accessors) = (Vec::new(), Vec::new());
     let (mut meshes, mut materials, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, lobe) in lobes.iter().enumerate() {
+    for lobe in lobes {
+        let deltas = lobe
+            .deltas
+            .iter()
+            .map(|arrow| json!({ "direction": arrow.direction.to_array(), "share": arrow.flux }));
+        let extras = json!({
+            "length": lobe.length(), "unit": "1/sr", "deltas": deltas.collect::<Vec<_>>(),
+        });
+        if !lobe.has_mesh() {
+            nodes.push(json!({ "name": lobe.name, "extras": extras }));
+            continue;
+        }
+        let index = meshes.len();
         let start = bytes.len();
         let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for place in lobe.places() {
@@ -115,7 +160,9 @@ pub fn gltf(lobes: &[Named]) -> String {
             "attributes": { "POSITION": 2 * index }, "indices": 2 * index + 1, "material": index,
         });
         meshes.push(json!({ "name": lobe.name, "primitives": [primitive] }));
-        nodes.push(json!({ "name": lobe.name, "mesh": index, "rotation": N_UPWARDS }));
+        nodes.push(json!({
+            "name": lobe.name, "mesh": index, "rotation": N_UPWARDS, "extras": extras,
+        }));
     }
     let uri = format!(
         "data:application/octet-stream;base64,{}",
@@ -140,6 +187,7 @@ fn view(start: usize, end: usize) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ui::session::Session;
 
     fn lobe() -> Named {
         let vertex = |direction, value| Vertex {
@@ -159,6 +207,8 @@ mod tests {
                 ..Mesh::default()
             }),
             with_cosine: false,
+            names: Names::of_lobe(&Session::default()),
+            deltas: Arc::default(),
         }
     }
 

@@ -13,6 +13,7 @@ use crate::bxdf::material::file as material_file;
 use crate::error::{Error, Result};
 
 pub mod mesh;
+pub mod names;
 pub mod svg;
 pub mod table;
 
@@ -162,12 +163,12 @@ fn lobes(picture: &Picture) -> Result<Vec<mesh::Named>> {
             color: [r, g, b],
             mesh: data.ask(session, entry, request),
             with_cosine: session.with_cosine,
+            names: names::Names::of_lobe(session),
+            deltas: data.arrows(session, entry),
         }
     });
-    let lobes: Vec<mesh::Named> = named
-        .filter(|lobe| !lobe.mesh.triangles.is_empty())
-        .collect();
-    if lobes.is_empty() {
+    let lobes: Vec<mesh::Named> = named.collect();
+    if !lobes.iter().any(mesh::Named::has_mesh) {
         let why = super::views::no_values(session).unwrap_or("no light leaves");
         return Err(Error::parse("export", format!("no mesh: {why}")));
     }

@@ -9,10 +9,11 @@
 //! the frame has time left. Without a clock (pictures, tests) everything is: so pictures need no patience and are the
 //! same bytes twice.
 
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::platform;
 use crate::analysis::Detail;
+use crate::parallel::Pool;
 
 mod slot;
 
@@ -34,14 +35,15 @@ trait Task: Send + Sync {
 pub struct Jobs {
     queue: Arc<Queue>,
     clock: Option<Clock>,
-    has_workers: bool,
+    pool: Option<Pool>,
     spent: f64,
 }
 
 /// The tasks that wait, newest last, and what is to be done when one is answered.
 struct Queue {
     state: Mutex<QueueState>,
-    has_more: Condvar,
+    /// How many threads of the pool may serve at a time; the others take part in what these do.
+    most_serving: usize,
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -50,6 +52,7 @@ struct QueueState {
     coarse: Vec<Arc<dyn Task>>,
     full: Vec<Arc<dyn Task>>,
     running: usize,
+    serving: usize,
     is_closed: bool,
 }
 
@@ -65,7 +68,14 @@ impl Queue {
             Detail::Coarse => state.coarse.push(task),
             Detail::Full => state.full.push(task),
         }
-        self.has_more.notify_one();
+    }
+
+    /// Whether one more thread may serve; it is counted then.
+    fn can_serve(&self) -> bool {
+        let mut state = locked(&self.state);
+        let can_serve = state.serving < self.most_serving;
+        state.serving += usize::from(can_serve);
+        can_serve
     }
 
     /// Works on the task that comes first; whether there was one.
@@ -89,22 +99,16 @@ impl Queue {
             None => {}
         }
         drop(state);
-        self.has_more.notify_one();
         (self.wake)();
         true
     }
 
-    /// What a worker does until the pool is closed.
+    /// What a thread of the pool does until nothing is left to do, or nobody waits for it any more.
     fn serve(&self) {
         loop {
             let mut state = locked(&self.state);
-            while state.coarse.is_empty() && state.full.is_empty() && !state.is_closed {
-                state = self
-                    .has_more
-                    .wait(state)
-                    .unwrap_or_else(PoisonError::into_inner);
-            }
-            if state.is_closed {
+            if state.is_closed || (state.coarse.is_empty() && state.full.is_empty()) {
+                state.serving -= 1;
                 return;
             }
             self.work(state);
@@ -113,27 +117,21 @@ impl Queue {
 }
 
 impl Jobs {
-    /// A pool with a worker for each core but the one that draws; `wake` is called after each answer.
+    /// A pool that serves with as many threads as there are cores but the one that draws; `wake` is called after each
+    /// answer.
     ///
-    /// Without a `clock` there are no workers and everything is answered at once.
+    /// Without a `clock` there is no pool and everything is answered at once.
     #[must_use]
     pub fn new(clock: Option<Clock>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let queue = Arc::new(Queue {
             state: Mutex::default(),
-            has_more: Condvar::new(),
+            most_serving: platform::workers(),
             wake: Box::new(wake),
         });
-        let mut has_workers = false;
-        if clock.is_some() {
-            for _ in 0..platform::workers() {
-                let queue = Arc::clone(&queue);
-                has_workers |= platform::spawn(move || queue.serve());
-            }
-        }
         Self {
             queue,
             clock,
-            has_workers,
+            pool: clock.and_then(|_| Pool::new()),
             spent: 0.0,
         }
     }
@@ -141,7 +139,7 @@ impl Jobs {
     /// Begins a frame. Where there are no workers, as in a browser, this is the time slice in which one task is done.
     pub fn begin_frame(&mut self) {
         self.spent = 0.0;
-        if self.clock.is_some() && !self.has_workers {
+        if self.clock.is_some() && self.pool.is_none() {
             self.queue.work(locked(&self.queue.state));
         }
     }
@@ -149,9 +147,14 @@ impl Jobs {
     /// Lets `task` wait for its first answer.
     fn push(&self, task: Arc<dyn Task>) {
         self.queue.push(Detail::Coarse, task);
-        if !self.has_workers {
+        match &self.pool {
+            Some(pool) if self.queue.can_serve() => {
+                let queue = Arc::clone(&self.queue);
+                pool.spawn(move || queue.serve());
+            }
+            Some(_) => {}
             // The next frame is its time slice.
-            (self.queue.wake)();
+            None => (self.queue.wake)(),
         }
     }
 
@@ -189,6 +192,5 @@ impl Jobs {
 impl Drop for Jobs {
     fn drop(&mut self) {
         locked(&self.queue.state).is_closed = true;
-        self.queue.has_more.notify_all();
     }
 }

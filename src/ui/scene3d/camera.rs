@@ -11,6 +11,9 @@ use glam::{Mat4, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::ray::Ray;
+use stored::StoredCamera;
+
+mod stored;
 
 /// Angle of view across the narrower side of the viewport, in radians (30 degrees).
 ///
@@ -70,39 +73,12 @@ impl HomeView {
 ///
 /// Two equal cameras draw the same picture, so a view can be cached by its camera.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "StoredCamera")]
+#[serde(try_from = "StoredCamera")]
 pub struct OrbitCamera {
     yaw: f32,
     pitch: f32,
     distance: f32,
     target: Vec3,
-}
-
-/// Serialised form; goes through [`OrbitCamera::sanitized`], because the file may have been edited.
-#[derive(Deserialize)]
-struct StoredCamera {
-    yaw: f32,
-    pitch: f32,
-    distance: f32,
-    target: Vec3,
-}
-
-impl From<StoredCamera> for OrbitCamera {
-    fn from(stored: StoredCamera) -> Self {
-        let StoredCamera {
-            yaw,
-            pitch,
-            distance,
-            target,
-        } = stored;
-        Self {
-            yaw,
-            pitch,
-            distance,
-            target,
-        }
-        .sanitized()
-    }
 }
 
 impl Default for OrbitCamera {
@@ -134,6 +110,20 @@ impl OrbitCamera {
     /// Returns to a home view: direction, distance and target.
     pub fn home(&mut self, view: HomeView) {
         *self = Self::new(view);
+    }
+
+    /// Whether it stands at one of the home views, but for rounding.
+    #[must_use]
+    pub fn is_home(&self) -> bool {
+        /// Of angles in radians and of places in world units: no eye sees less.
+        const ROUNDING: f32 = 1e-4;
+        HomeView::ALL.into_iter().map(Self::new).any(|home| {
+            let angles = [self.yaw - home.yaw, self.pitch - home.pitch];
+            let is_near = |x: f32| x.abs() < ROUNDING;
+            angles.into_iter().all(is_near)
+                && is_near(self.distance - home.distance)
+                && is_near(self.target.distance(home.target))
+        })
     }
 
     /// Azimuth of the eye about n from +s towards +t, in radians, in (-pi, pi].
@@ -349,12 +339,17 @@ mod tests {
     }
 
     #[test]
-    fn stored_values_are_clamped() {
-        let text = r#"{"yaw": 7.0, "pitch": 9.0, "distance": 0.0, "target": [9.0, 0.0, 0.0]}"#;
-        let camera: OrbitCamera = serde_json::from_str(text).expect("valid JSON");
-        assert!(camera.yaw() <= PI && camera.pitch() <= FRAC_PI_2);
-        assert!(camera.distance() >= DISTANCE_RANGE.0 && camera.target().length() <= MAX_TARGET);
-        assert!(camera.view_proj(1.0).is_finite());
+    fn a_camera_is_home_until_it_is_moved() {
+        for view in HomeView::ALL {
+            let home = OrbitCamera::new(view);
+            let mut moved = [home.clone(), home.clone(), home.clone()];
+            let [orbited, zoomed, panned] = &mut moved;
+            orbited.orbit(Vec2::new(3.0, 0.0));
+            zoomed.zoom(1.05);
+            panned.pan(Vec2::new(3.0, 0.0), Vec2::splat(300.0));
+            assert!(home.is_home());
+            assert!(moved.iter().all(|camera| !camera.is_home()), "{view:?}");
+        }
     }
 
     #[test]

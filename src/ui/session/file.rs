@@ -1,11 +1,8 @@
 //! A session as the text of its file.
 
-use std::ops::RangeInclusive;
-
 use toml::de::{DeTable, DeValue};
 
-use super::{Session, folded_deg, wrapped_deg};
-use crate::analysis::RadialScale;
+use super::Session;
 use crate::error::{Error, Result};
 
 /// The version of the file. It grows when an older program would read a newer file as something else.
@@ -17,15 +14,12 @@ const HEADER: &str = "# BRDF Explorer session";
 /// The last line of what begins with the first one.
 const END: &str = "# End of the session";
 
-/// The decades that a session may ask for: beyond 16 a double has no digits left to show.
-const DECADES_RANGE: RangeInclusive<f64> = 1.0..=16.0;
-
 impl Session {
     /// Reads a session from TOML text; `place` names it in errors.
     ///
     /// # Errors
-    /// [`Error::Parse`] where the text is no session, is one of a newer version or is cut off, and where an angle is out of
-    /// range.
+    /// [`Error::Parse`] where the text is no session, is one of a newer version or is cut off, and where a number is out of
+    /// its range.
     pub fn from_toml(text: &str, place: &str) -> Result<Self> {
         if text.starts_with(HEADER) && !text.trim_end().ends_with(END) {
             return Err(Error::parse(
@@ -36,39 +30,10 @@ impl Session {
         let text = without_version(text, place)?;
         let mut session: Self =
             toml::from_str(&text).map_err(|error| refused(&text, place, &error))?;
-        let angles = [
-            ("theta_deg", session.theta_deg, 0.0, 180.0),
-            ("phi_deg", session.phi_deg, -360.0, 360.0),
-            ("rotation_deg", session.rotation_deg, -360.0, 360.0),
-            (
-                "section_phi_deg",
-                session.section_phi_deg.unwrap_or(0.0),
-                -360.0,
-                360.0,
-            ),
-        ];
-        for (name, value, min, max) in angles {
-            if !(min..=max).contains(&value) {
-                return Err(Error::parse(
-                    place,
-                    format!("{name} = {value}: allowed is {min} to {max} degrees"),
-                ));
-            }
-        }
+        let numbers = session.check_numbers();
+        numbers.map_err(|problem| Error::parse(place, problem))?;
         let layout = session.layout.validate();
         layout.map_err(|problem| Error::parse(place, problem))?;
-        session.phi_deg = wrapped_deg(session.phi_deg);
-        session.rotation_deg = wrapped_deg(session.rotation_deg);
-        session.section_phi_deg = session.section_phi_deg.map(folded_deg);
-        if let RadialScale::Logarithmic { decades } = session.scale
-            && !DECADES_RANGE.contains(&decades)
-        {
-            let [low, high] = [DECADES_RANGE.start(), DECADES_RANGE.end()];
-            return Err(Error::parse(
-                place,
-                format!("decades = {decades}: allowed is {low} to {high}"),
-            ));
-        }
         Ok(session)
     }
 
@@ -124,7 +89,7 @@ fn refused(text: &str, place: &str, error: &toml::de::Error) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Hold;
+    use crate::analysis::{Hold, RadialScale};
     use crate::ui::session::Materials;
 
     #[test]

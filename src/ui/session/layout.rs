@@ -5,6 +5,7 @@ use std::fmt;
 use serde::de::{self, Deserializer};
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::numbers::SHARE;
 use crate::ui::views;
 
 /// A place of the window that views share, and how.
@@ -36,6 +37,19 @@ pub struct Part {
     pub share: f32,
     /// What is in it.
     pub place: Layout,
+}
+
+impl Part {
+    /// A part that has this share, or the nearest one that a file may give.
+    #[must_use]
+    pub fn of(share: f32, place: Layout) -> Self {
+        let mut nearest = 1.0;
+        SHARE.put(&mut nearest, f64::from(share));
+        Self {
+            share: nearest as f32,
+            place,
+        }
+    }
 }
 
 /// The id of a view of [`views::VIEWS`].
@@ -234,7 +248,7 @@ impl Layout {
     /// What is wrong with a layout from a file.
     ///
     /// # Errors
-    /// One sentence, where there is no view, a view stands twice, or a share is no positive number.
+    /// One sentence, where there is no view, a view stands twice, or a share is out of its range.
     pub fn validate(&self) -> Result<(), String> {
         let views = self.views();
         if views.is_empty() {
@@ -257,9 +271,7 @@ impl Layout {
             }
             Self::View(_) | Self::Tabs { .. } => Ok(()),
             Self::Row(parts) | Self::Column(parts) => parts.iter().try_for_each(|part| {
-                if !(part.share > 0.0 && part.share.is_finite()) {
-                    return Err(format!("share = {}: it must be above 0", part.share));
-                }
+                SHARE.checked(f64::from(part.share))?;
                 part.place.validate_place(depth + 1)
             }),
         }

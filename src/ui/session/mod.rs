@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
+use super::number::NumberSpec;
 use super::scene3d::OrbitCamera;
 use crate::analysis::{Channel, Hold, RadialScale};
 use crate::bxdf::math::frame;
@@ -14,7 +15,9 @@ mod entry;
 mod file;
 mod layout;
 mod materials;
+mod numbers;
 mod questions;
+mod size;
 mod stored;
 mod text;
 mod ties;
@@ -24,8 +27,12 @@ pub use entry::{EntryId, MaterialEntry, Slot};
 pub use file::VERSION;
 pub use layout::{Layout, Part, READY_LAYOUTS, ReadyLayout, ViewId};
 pub use materials::{MAX_MATERIALS, Materials};
-pub use questions::{SAMPLE_COUNTS_LOG2, SHARES};
-pub use text::{MAX_TEXT, Opened, pasted, read};
+pub use numbers::{
+    DIFFERENCE_AZIMUTH, EXPOSURE, FIXED_ANGLE, LIGHT_PHI, LIGHT_THETA, PHI, ROTATION, SAMPLES_LOG2,
+    SECTION_PHI, SEED, THETA, TOLERANCE,
+};
+pub use questions::SHARES;
+pub use text::{Opened, pasted, read};
 pub use ties::WIDTHS;
 pub use view_options::{
     Arrangement, CartesianOptions, Decomposed, DecompositionOptions, ErrorUnit, HemisphereOptions,
@@ -85,7 +92,8 @@ pub struct Session {
     pub locked: BTreeSet<String>,
     /// Which direction is held.
     pub hold: Hold,
-    /// Polar angle of the held direction from n, in degrees, 0..180.
+    /// Polar angle of the held direction from n, in degrees, 0..180. From below opaque materials look as from above:
+    /// gestures end at 90 for them.
     pub theta_deg: f64,
     /// Azimuth of the held direction from s, in degrees, -180..180.
     pub phi_deg: f64,
@@ -160,18 +168,47 @@ impl Session {
     /// Holds the direction nearest to `w` in tenths of a degree.
     pub fn set_held(&mut self, w: DVec3) {
         let tenth = |angle: f64| (angle.to_degrees() * 10.0).round() / 10.0;
-        self.theta_deg = tenth(frame::theta(w));
+        self.set_theta_deg(tenth(frame::theta(w)));
         // Along n the azimuth is of no effect: the old one stays, so that the plots do not jump.
         if w.x.hypot(w.y) > 1e-3 {
-            self.phi_deg = wrapped_deg(tenth(frame::phi(w)));
+            PHI.put(&mut self.phi_deg, tenth(frame::phi(w)));
         }
+    }
+
+    /// Holds a direction at this polar angle, in degrees, or at the nearest one that is of use.
+    pub fn set_theta_deg(&mut self, theta_deg: f64) {
+        self.theta_spec().put(&mut self.theta_deg, theta_deg);
+    }
+
+    /// The polar angle of the held direction as gestures set it: to the horizon where nothing shown lets light through.
+    #[must_use]
+    pub fn theta_spec(&self) -> NumberSpec {
+        let horizon = 90.0;
+        if self.materials.shown().any(is_crossed) {
+            THETA
+        } else {
+            THETA.within([0.0, horizon])
+        }
+    }
+
+    /// Whether the held direction lies below the surface of materials that are all opaque, so that nothing is to be seen
+    /// above it.
+    #[must_use]
+    pub fn is_held_below(&self) -> bool {
+        let mut shown = self.materials.shown().peekable();
+        shown.peek().is_some() && !self.theta_spec().admits(self.theta_deg)
+    }
+
+    /// Holds the direction as far above the surface as it is below, on the same side of n.
+    pub fn raise_held(&mut self) {
+        self.set_theta_deg(180.0 - self.theta_deg);
     }
 
     /// Holds exactly the direction `w` of a surface that is not turned, on the surface as it is turned.
     pub fn hold_on_surface(&mut self, w: DVec3) {
         let w = self.on_surface(w);
-        self.theta_deg = frame::theta(w).to_degrees();
-        self.phi_deg = wrapped_deg(frame::phi(w).to_degrees());
+        THETA.put(&mut self.theta_deg, frame::theta(w).to_degrees());
+        PHI.put(&mut self.phi_deg, frame::phi(w).to_degrees());
     }
 
     /// Where the direction `w` of a surface that is not turned lies on the surface as it is turned.
@@ -192,7 +229,6 @@ impl Session {
     /// Whether the views show what is below the surface: where light can cross it, or comes from below.
     #[must_use]
     pub fn shows_lower_half(&self) -> bool {
-        let is_crossed = |entry: &MaterialEntry| entry.material.has_side(Side::Transmission);
         self.theta_deg > 90.0 || self.materials.shown().any(is_crossed)
     }
 
@@ -240,18 +276,31 @@ impl Session {
     }
 }
 
+/// Whether light passes through the material.
+fn is_crossed(entry: &MaterialEntry) -> bool {
+    entry.material.has_side(Side::Transmission)
+}
+
 /// The azimuth of the same plane, in degrees, from -90 (excluded) to 90.
 #[must_use]
 pub fn folded_deg(azimuth_deg: f64) -> f64 {
-    let folded = (azimuth_deg + 90.0).rem_euclid(180.0) - 90.0;
-    if folded == -90.0 { 90.0 } else { folded }
+    within_period(azimuth_deg, 90.0)
 }
 
 /// The same azimuth, in degrees, from -180 (excluded) to 180.
 #[must_use]
 pub fn wrapped_deg(angle_deg: f64) -> f64 {
-    let wrapped = (angle_deg + 180.0).rem_euclid(360.0) - 180.0;
-    if wrapped == -180.0 { 180.0 } else { wrapped }
+    within_period(angle_deg, 180.0)
+}
+
+/// `x` less a multiple of twice `half`, from minus `half` (excluded) to `half`. What is there already stays to the last
+/// digit.
+fn within_period(x: f64, half: f64) -> f64 {
+    if -half < x && x <= half {
+        return x;
+    }
+    let folded = (x + half).rem_euclid(2.0 * half) - half;
+    if folded == -half { half } else { folded }
 }
 
 #[cfg(test)]
@@ -266,9 +315,12 @@ mod tests {
             (180.0, 180.0),
             (0.0, 0.0),
             (-360.0, 0.0),
+            (0.345, 0.345),
+            (-1e-9, -1e-9),
         ] {
             assert_eq!(wrapped_deg(angle), wrapped);
         }
+        assert_eq!([0.345, 120.0, -90.0].map(folded_deg), [0.345, -60.0, 90.0]);
         assert_eq!(
             Session::from_toml("phi_deg = 230.0", "s").unwrap().phi_deg,
             -130.0

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{DECADES, SamplingPlot, Session};
+use super::{DECADES, SAMPLES_LOG2, SamplingPlot, Session};
 use crate::analysis::reflectance::{CurveRequest, SharesRequest};
 use crate::analysis::{
     Hold, RadialScale, cartesian, decomposition, hemisphere, lobe3d, polar, sampling, slice, sphere,
@@ -30,8 +30,8 @@ const MAP_SIZE: usize = 256;
 /// The sizes of pictures of spheres, in pixels: the smallest that fills its place is computed.
 const SPHERE_SIZES: [usize; 3] = [128, 256, 512];
 
-/// The powers of 2 that can be chosen as the number of samples.
-pub const SAMPLE_COUNTS_LOG2: std::ops::RangeInclusive<u8> = 6..=16;
+/// Cells of a grid of random numbers, along either side.
+const WARP_CELLS: usize = 16;
 
 impl Session {
     /// The azimuth of the section, in radians.
@@ -127,7 +127,7 @@ impl Session {
     #[must_use]
     pub fn sampling_request(&self) -> sampling::Request {
         let options = self.views.sampling;
-        let (least, most) = (*SAMPLE_COUNTS_LOG2.start(), *SAMPLE_COUNTS_LOG2.end());
+        let [least, most] = SAMPLES_LOG2.range.map(|log2| log2 as u8);
         sampling::Request {
             part: match options.plot {
                 SamplingPlot::Points | SamplingPlot::Warp => sampling::Part::Points,
@@ -140,6 +140,12 @@ impl Session {
             seed: u64::from(options.seed),
             phi: self.section_phi(),
         }
+    }
+
+    /// How the sampling bends a grid of random numbers.
+    #[must_use]
+    pub fn warp_request(&self) -> sampling::WarpRequest {
+        sampling::WarpRequest { cells: WARP_CELLS }
     }
 
     /// The decomposition in the section.

@@ -9,6 +9,8 @@ use serde::{Deserialize, Serialize, Serializer};
 use super::entry::{EntryId, MaterialEntry, Slot, has_equal_widths};
 use super::materials::{MAX_MATERIALS, Materials, limit};
 use crate::bxdf::Material;
+use crate::bxdf::material::file::MAX_DESCRIPTION;
+use crate::error::Error;
 
 /// A material in the file. Only the material must be given: the rest is what a new one gets.
 #[derive(Serialize, Deserialize)]
@@ -105,6 +107,16 @@ fn restored(all: Vec<Stored>) -> crate::error::Result<Materials> {
     let Some(first) = all.first() else {
         return Err(limit(0));
     };
+    if let Some(long) = all
+        .iter()
+        .find(|stored| stored.name.len() > MAX_DESCRIPTION)
+    {
+        return Err(Error::Limit {
+            what: "the name of a material",
+            value: format!("{} bytes long", long.name.len()),
+            limit: format!("{MAX_DESCRIPTION} bytes"),
+        });
+    }
     let mut materials = Materials::of(first.material.clone());
     materials.entries.clear();
     let selected = all.iter().position(|stored| stored.selected).unwrap_or(0);
@@ -204,6 +216,13 @@ mod tests {
                 "line 2: unknown model 'gold'",
             ),
             ("[[materials]]\nname = \"x\"", "missing field `material`"),
+            (
+                &format!(
+                    "[[materials]]\nmaterial = \"phong\"\nname = \"{}\"",
+                    "x".repeat(1 << 15)
+                ),
+                "the name of a material is 32768 bytes long; the limit is 16384 bytes",
+            ),
             (
                 "[[materials]]\nmaterial = \"phong\"\ncolour = 2",
                 "line 3: unknown field `colour`",

@@ -7,9 +7,7 @@ use super::entry::MaterialEntry;
 use crate::bxdf::Material;
 use crate::bxdf::material::{file, library};
 use crate::error::{Error, Result};
-
-/// The longest text that is read, in bytes: room for some large tables.
-pub const MAX_TEXT: usize = 8 << 20;
+use crate::files;
 
 /// Where pasted text comes from, in errors.
 const PLACE: &str = "clipboard";
@@ -45,15 +43,9 @@ impl MaterialEntry {
 /// What a pasted text says: a model with parameters, the id of a named material, or the text of a file.
 ///
 /// # Errors
-/// [`Error::Limit`] for a text longer than [`MAX_TEXT`], and what readers of sessions and materials refuse.
+/// [`Error::Limit`] for a text longer than [`files::MAX_TEXT`], and what readers of sessions and materials refuse.
 pub fn pasted(text: &str) -> Result<Opened> {
-    if text.len() > MAX_TEXT {
-        return Err(Error::Limit {
-            what: "the pasted text",
-            value: format!("{} bytes", text.len()),
-            limit: format!("1 to {MAX_TEXT}"),
-        });
-    }
+    files::require_fit("the pasted text", text.len() as u64)?;
     let trimmed = text.trim();
     let is_line = !trimmed.contains('\n') && !trimmed.contains("[[");
     if is_line && !trimmed.is_empty() {
@@ -124,8 +116,7 @@ mod tests {
 
     #[test]
     fn rubbish_is_refused_in_a_line() {
-        let long = "x".repeat(MAX_TEXT + 1);
-        let length = format!("{} bytes", long.len());
+        let long = "x".repeat(files::MAX_TEXT as usize + 1);
         for (text, expected) in [
             ("", "there is nothing in it"),
             ("# only\n# remarks\n", "there is nothing in it"),
@@ -135,7 +126,7 @@ mod tests {
                 "clipboard: line 1: ",
             ),
             ("phong:exponent=-3", "phong: exponent = -3: allowed is"),
-            (long.as_str(), length.as_str()),
+            (long.as_str(), "is 32.1 MiB of text; the limit is 32 MiB"),
             ("\u{0}\u{1}\u{2}", "unknown material"),
         ] {
             let line = pasted(text).unwrap_err().to_string();

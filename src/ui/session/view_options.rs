@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::analysis::cartesian::Abscissa;
 use crate::analysis::hemisphere::{Comparison, Projection, Quantity};
+use crate::analysis::sampling::FIRST_SEED;
 use crate::analysis::sphere::Light;
 
 /// The options of all views.
@@ -232,7 +233,7 @@ pub struct SamplingOptions {
     pub plot: SamplingPlot,
     /// The number of samples, as a power of 2.
     pub count_log2: u8,
-    /// The seed of the random numbers.
+    /// The seed of the random numbers, as of the command line.
     pub seed: u32,
     /// Whether samples lie on the dome, seen as the 3D view sees it, rather than on a disc.
     pub is_dome: bool,
@@ -251,7 +252,7 @@ impl Default for SamplingOptions {
         Self {
             plot: SamplingPlot::default(),
             count_log2: 12,
-            seed: 1,
+            seed: FIRST_SEED,
             is_dome: false,
         }
     }

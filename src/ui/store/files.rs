@@ -1,10 +1,25 @@
 //! The file system, as the window uses it.
 
+use std::fs::File;
 use std::io;
 use std::path::Path;
 
+#[cfg(not(target_arch = "wasm32"))]
+use crate::files;
+
+/// What stands at a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// A file, or a link to one.
+    File,
+    /// A folder.
+    Folder,
+    /// A device, a pipe or the like: nothing that may be moved or replaced.
+    Other,
+}
+
 /// Reading and writing files: the one place of the window that does it, and what tests replace by one that fails.
-pub trait Files {
+pub trait Files: Send + Sync {
     /// Reads a file.
     ///
     /// # Errors
@@ -34,6 +49,19 @@ pub trait Files {
     /// # Errors
     /// The system's.
     fn make_folder(&self, path: &Path) -> io::Result<()>;
+
+    /// What stands at `path`.
+    ///
+    /// # Errors
+    /// The system's; `NotFound` where there is nothing.
+    fn look(&self, path: &Path) -> io::Result<Found>;
+
+    /// Takes hold of the file at `path`, which is made where it is missing, until what is returned is dropped or the program
+    /// ends in whatever way. `None` where another program, or another part of this one, has it.
+    ///
+    /// # Errors
+    /// The system's, where it knows no locks among others.
+    fn lock(&self, path: &Path) -> io::Result<Option<File>>;
 }
 
 /// The files of this machine.
@@ -44,25 +72,13 @@ pub struct Disk;
 #[cfg(not(target_arch = "wasm32"))]
 impl Files for Disk {
     fn read(&self, path: &Path, limit: u64) -> io::Result<Vec<u8>> {
-        use std::io::Read as _;
-
-        let file = std::fs::File::open(path)?;
-        let mut bytes = Vec::new();
-        // One byte more tells a file that is too large from one that just fits.
-        file.take(limit + 1).read_to_end(&mut bytes)?;
-        if bytes.len() as u64 > limit {
-            return Err(io::Error::new(
-                io::ErrorKind::FileTooLarge,
-                format!("more than {limit} bytes"),
-            ));
-        }
-        Ok(bytes)
+        files::read_bytes(File::open(path)?, limit)
     }
 
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         use std::io::Write as _;
 
-        let mut file = std::fs::File::create(path)?;
+        let mut file = File::create(path)?;
         file.write_all(bytes)?;
         file.sync_all()
     }
@@ -71,7 +87,7 @@ impl Files for Disk {
         std::fs::rename(from, to)?;
         // The name is on the disk when its folder is; where folders cannot be synced there is no more to be done.
         #[cfg(unix)]
-        if let Some(Ok(folder)) = to.parent().map(std::fs::File::open) {
+        if let Some(Ok(folder)) = to.parent().map(File::open) {
             let _ = folder.sync_all();
         }
         Ok(())
@@ -83,5 +99,26 @@ impl Files for Disk {
 
     fn make_folder(&self, path: &Path) -> io::Result<()> {
         std::fs::create_dir_all(path)
+    }
+
+    fn look(&self, path: &Path) -> io::Result<Found> {
+        let found = std::fs::metadata(path)?;
+        Ok(match (found.is_file(), found.is_dir()) {
+            (true, _) => Found::File,
+            (_, true) => Found::Folder,
+            _ => Found::Other,
+        })
+    }
+
+    fn lock(&self, path: &Path) -> io::Result<Option<File>> {
+        use std::fs::TryLockError;
+
+        let mut options = File::options();
+        let file = options.create(true).append(true).open(path)?;
+        match file.try_lock() {
+            Ok(()) => Ok(Some(file)),
+            Err(TryLockError::WouldBlock) => Ok(None),
+            Err(TryLockError::Error(error)) => Err(error),
+        }
     }
 }

@@ -1,37 +1,36 @@
 //! Where sessions are kept: in files of the user's, and between two runs of the program.
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::session::{self, Opened, Session};
-use crate::error::{Error, Result};
+use super::platform;
+use super::session::{Opened, Session};
+use crate::error::Result;
+#[cfg(doc)]
+use crate::files::MAX_TEXT;
+use own::Own;
+use place::Places;
 
 mod dialogs;
 mod files;
+mod own;
+mod place;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use dialogs::Native;
-pub use dialogs::{Dialogs, Question};
+pub use dialogs::{Answer, Dialogs, Question};
 #[cfg(not(target_arch = "wasm32"))]
 pub use files::Disk;
-pub use files::Files;
+pub use files::{Files, Found};
+pub use own::{Keeping, News, Restored};
 
-/// The largest file that is read, in bytes: ten times the largest session.
-pub const MAX_FILE: u64 = 1 << 20;
-
-/// The session of the last run, in the folder of the program's data.
-const LAST_SESSION: &str = "session.toml";
-
-/// The files opened last and the theme chosen, beside it.
+/// The files opened last and the theme chosen, in the folder of the program's data.
 const PREFERENCES: &str = "preferences.toml";
 
 /// How many recent files are kept.
 const MAX_RECENT: usize = 8;
-
-/// How long an edit may stay unsaved, in seconds: what a crash costs at most.
-const DELAY: f64 = 1.0;
 
 /// A theme that was chosen, whatever the system has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -49,32 +48,30 @@ pub enum ChosenTheme {
 struct Preferences {
     /// The files opened last, the latest first.
     recent: Vec<PathBuf>,
+    /// The folder that files were saved in or opened from last.
+    folder: Option<PathBuf>,
     /// The theme; the system's where none is chosen.
     theme: Option<ChosenTheme>,
 }
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
 pub struct Store {
-    files: Box<dyn Files>,
+    places: Places,
     /// Where the program keeps its own.
     folder: Option<PathBuf>,
     preferences: Preferences,
-    /// The session as it was last kept for the next run.
-    kept: Option<Session>,
-    /// When the session was first seen to differ from it, in the time of the window.
-    changed_at: Option<f64>,
+    own: Own,
 }
 
 impl Store {
     /// A store on `files`, which keeps the program's own in `folder`; without one it keeps nothing for the next run.
     #[must_use]
-    pub fn new(files: Box<dyn Files>, folder: Option<PathBuf>) -> Self {
+    pub fn new(files: Arc<dyn Files>, folder: Option<PathBuf>) -> Self {
         let mut store = Self {
-            files,
+            places: Places::new(files),
             folder,
             preferences: Preferences::default(),
-            kept: None,
-            changed_at: None,
+            own: Own::default(),
         };
         store.preferences = store.read_preferences();
         store
@@ -86,44 +83,36 @@ impl Store {
     pub fn platform() -> Self {
         let folders = directories::ProjectDirs::from("", "", "brdf-explorer");
         let folder = folders.map(|folders| folders.data_dir().to_owned());
-        Self::new(Box::new(Disk), folder)
+        Self::new(Arc::new(Disk), folder)
     }
 
-    /// The session of the last run, or the one before it where that cannot be read; and why it cannot.
-    pub fn restore(&mut self) -> (Option<Session>, Option<Error>) {
-        let Some(path) = self.own(LAST_SESSION) else {
-            return (None, None);
-        };
-        let mut first_problem = None;
-        for path in [path.clone(), backup(&path)] {
-            match self.read_session(&path) {
-                Ok(session) => {
-                    self.kept = first_problem.is_none().then(|| session.clone());
-                    return (Some(session), first_problem);
-                }
-                Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {}
-                Err(error) => first_problem = first_problem.or(Some(error)),
-            }
-        }
-        (None, first_problem)
+    /// Keeps the session in a thread from now on: a disk that is busy does not stop the window.
+    #[must_use]
+    pub fn in_threads(mut self) -> Self {
+        self.own.is_threaded = platform::has_threads();
+        self
     }
 
-    /// Keeps the session for the next run, a moment after it has changed; `now` in seconds. Returns after how many
-    /// seconds it has to be asked again.
-    ///
-    /// # Errors
-    /// Where it cannot be written; it is tried again with the next change.
-    pub fn keep(&mut self, session: &Session, now: f64) -> Result<Option<f64>> {
-        if self.folder.is_none() || self.kept.as_ref() == Some(session) {
-            self.changed_at = None;
-            return Ok(None);
+    /// The session of the last run, or the one before it where that cannot be read, or `start`; with what there is to say of
+    /// it. Nothing is written before the session differs from it: what cannot be read stays as it is until then, and is set
+    /// aside under another name.
+    pub fn restore(&mut self, start: Session) -> Restored {
+        match &self.folder {
+            Some(folder) => self.own.restore(&self.places, folder, start),
+            None => Restored {
+                session: start,
+                said: Vec::new(),
+            },
         }
-        let changed_at = *self.changed_at.get_or_insert(now);
-        let left = changed_at + DELAY - now;
-        if left > 0.0 {
-            return Ok(Some(left));
+    }
+
+    /// Keeps the session for the next run, a moment after it has changed, and again and again where that fails; `now` in
+    /// seconds.
+    pub fn keep(&mut self, session: &Session, now: f64) -> Keeping {
+        match &self.folder {
+            Some(folder) => self.own.keep(&self.places, folder, session, now),
+            None => Keeping::default(),
         }
-        self.keep_now(session).map(|()| None)
     }
 
     /// Keeps the session for the next run, at once.
@@ -131,45 +120,69 @@ impl Store {
     /// # Errors
     /// Where it cannot be written.
     pub fn keep_now(&mut self, session: &Session) -> Result<()> {
-        let Some(path) = self.own(LAST_SESSION) else {
-            return Ok(());
-        };
-        if self.kept.as_ref() == Some(session) {
-            return Ok(());
+        match &self.folder {
+            Some(folder) => {
+                let kept = self.own.keep_now(&self.places, folder, session);
+                kept.map(|_| ())
+            }
+            None => Ok(()),
         }
-        self.changed_at = None;
-        // Whatever becomes of it: it is not tried again in every frame.
-        self.kept = Some(session.clone());
-        self.make_own_folder()?;
-        self.replace(&path, &session.to_toml()?)
     }
 
-    /// Writes the session to a file of the user's.
+    /// Puts the session where files stand that nobody keeps, for want of a better place. Returns where.
+    #[must_use]
+    pub fn rescue(&self, session: &Session) -> Option<PathBuf> {
+        let name = format!("brdf-explorer-session-{}.toml", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        let kept = self.places.replace(&path, session);
+        kept.is_ok().then_some(path)
+    }
+
+    /// Writes the session to a file of the user's. Returns the name that a file in its place has now, if that could not be
+    /// read.
     ///
     /// # Errors
     /// Where it cannot be written; the file that was there is as it was.
-    pub fn save(&mut self, path: &Path, session: &Session) -> Result<()> {
-        self.replace(path, &session.to_toml()?)?;
+    pub fn save(&mut self, path: &Path, session: &Session) -> Result<Option<PathBuf>> {
+        let aside = self.places.replace(path, session)?;
         self.remember(path);
-        Ok(())
+        Ok(aside)
     }
 
     /// Writes what was exported to a file of the user's.
     ///
     /// # Errors
     /// Where it cannot be written; the file that was there is as it was.
-    pub fn export(&self, path: &Path, bytes: &[u8]) -> Result<()> {
-        self.put(path, bytes, false)
+    pub fn export(&mut self, path: &Path, bytes: &[u8]) -> Result<()> {
+        self.places.put(path, bytes, || Ok(()))?;
+        self.work_in(path);
+        self.keep_preferences();
+        Ok(())
     }
 
-    /// Reads a file of the user's: a session or a material.
+    /// What reads a file of the user's, a session or a material, in whichever thread.
     ///
     /// # Errors
-    /// Where it cannot be read, is larger than [`MAX_FILE`], and where it is neither.
-    pub fn open(&mut self, path: &Path) -> Result<Opened> {
-        let opened = session::read(&self.text(path)?, &path.display().to_string())?;
-        self.remember(path);
-        Ok(opened)
+    /// Those of what is returned: where the file cannot be read, is larger than [`MAX_TEXT`], and where it is neither.
+    pub fn reader(&self, path: &Path) -> impl FnOnce() -> Result<Opened> + Send + 'static {
+        let (places, path) = (self.places.clone(), path.to_owned());
+        move || places.read(&path)
+    }
+
+    /// What stands at a path.
+    ///
+    /// # Errors
+    /// The system's; `NotFound` where there is nothing.
+    pub fn look(&self, path: &Path) -> std::io::Result<Found> {
+        self.places.files.look(path)
+    }
+
+    /// The folder that files were saved in or opened from last, else that of the user's documents.
+    #[must_use]
+    pub fn working_folder(&self) -> PathBuf {
+        let is_there = |folder: &PathBuf| matches!(self.look(folder), Ok(Found::Folder));
+        let last = self.preferences.folder.clone().filter(is_there);
+        last.or_else(|| home().filter(is_there)).unwrap_or_default()
     }
 
     /// The files opened or saved last, the latest first.
@@ -192,67 +205,15 @@ impl Store {
         }
     }
 
-    fn own(&self, name: &str) -> Option<PathBuf> {
+    fn own_file(&self, name: &str) -> Option<PathBuf> {
         self.folder.as_ref().map(|folder| folder.join(name))
-    }
-
-    fn make_own_folder(&self) -> Result<()> {
-        match &self.folder {
-            Some(folder) => self
-                .files
-                .make_folder(folder)
-                .map_err(|error| Error::io(folder, error)),
-            None => Ok(()),
-        }
-    }
-
-    fn text(&self, path: &Path) -> Result<String> {
-        let bytes = self
-            .files
-            .read(path, MAX_FILE)
-            .map_err(|error| Error::io(path, error))?;
-        String::from_utf8(bytes).map_err(|_| {
-            let place = path.display().to_string();
-            Error::parse(place, "no text: neither a session nor a material")
-        })
-    }
-
-    fn read_session(&self, path: &Path) -> Result<Session> {
-        Session::from_toml(&self.text(path)?, &path.display().to_string())
-    }
-
-    /// Whether there is a session or a material at `path`.
-    fn is_good(&self, path: &Path) -> bool {
-        let read = self.text(path).and_then(|text| session::read(&text, ""));
-        read.is_ok()
-    }
-
-    /// Writes `text` to the file at `path`: beside it first, then moved into its place. What was there before is kept as
-    /// the backup, if it can be read: a broken file never takes the place of the last good one.
-    fn replace(&self, path: &Path, text: &str) -> Result<()> {
-        self.put(path, text.as_bytes(), self.is_good(path))
-    }
-
-    /// Writes `bytes` beside the file at `path`, then moves them into its place; `has_backup`: whether what was there is
-    /// kept.
-    fn put(&self, path: &Path, bytes: &[u8], has_backup: bool) -> Result<()> {
-        let temporary = with_suffix(path, ".partial");
-        let written = self.files.write(&temporary, bytes).and_then(|()| {
-            if has_backup {
-                self.files.rename(path, &backup(path))?;
-            }
-            self.files.rename(&temporary, path)
-        });
-        written.map_err(|error| {
-            // The error that led here is the one to tell.
-            let _ = self.files.remove(&temporary);
-            Error::io(path, error)
-        })
     }
 
     fn read_preferences(&self) -> Preferences {
         // Where they are missing or broken there are none: nothing but convenience is lost.
-        let text = self.own(PREFERENCES).and_then(|path| self.text(&path).ok());
+        let text = self
+            .own_file(PREFERENCES)
+            .and_then(|path| self.places.text(&path).ok());
         let mut read: Preferences = text
             .and_then(|text| toml::from_str(&text).ok())
             .unwrap_or_default();
@@ -260,33 +221,40 @@ impl Store {
         read
     }
 
-    fn remember(&mut self, path: &Path) {
+    /// Puts a file that was opened or saved first in the list of recent ones.
+    pub fn remember(&mut self, path: &Path) {
+        // Another window may have been at work meanwhile.
+        if self.folder.is_some() {
+            self.preferences.recent = self.read_preferences().recent;
+        }
         let recent = &mut self.preferences.recent;
         recent.retain(|other| other != path);
         recent.insert(0, path.to_owned());
         recent.truncate(MAX_RECENT);
+        self.work_in(path);
         self.keep_preferences();
     }
 
+    fn work_in(&mut self, path: &Path) {
+        self.preferences.folder = path.parent().map(Path::to_owned);
+    }
+
     fn keep_preferences(&self) {
-        if let (Some(path), Ok(text)) = (self.own(PREFERENCES), toml::to_string(&self.preferences))
-            && self.make_own_folder().is_ok()
+        if let (Some(folder), Ok(text)) = (&self.folder, toml::to_string(&self.preferences))
+            && self.places.files.make_folder(folder).is_ok()
         {
             // What cannot be kept is forgotten with the program.
-            let _ = self.files.write(&path, text.as_bytes());
+            let path = folder.join(PREFERENCES);
+            let _ = self.places.put(&path, text.as_bytes(), || Ok(()));
         }
     }
 }
 
-/// The place of the last good file before the one at `path`.
-fn backup(path: &Path) -> PathBuf {
-    with_suffix(path, ".bak")
-}
-
-fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
-    let mut name = path.file_name().map_or_else(OsString::new, OsString::from);
-    name.push(suffix);
-    path.with_file_name(name)
+/// Where the user's own files are.
+fn home() -> Option<PathBuf> {
+    let folders = directories::UserDirs::new()?;
+    let documents = folders.document_dir().map(Path::to_owned);
+    Some(documents.unwrap_or_else(|| folders.home_dir().to_owned()))
 }
 
 #[cfg(test)]

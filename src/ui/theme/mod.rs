@@ -47,6 +47,8 @@ pub const HELP_SIZE: Vec2 = Vec2::new(560.0, 560.0);
 pub const HELP_MARGIN: f32 = 80.0;
 /// The width of the column of keys in the help, in points.
 pub const HELP_KEYS_WIDTH: f32 = 200.0;
+/// The width of the field for a path, in points.
+pub const PATH_WIDTH: f32 = 560.0;
 /// The width of the search of the commands and the height of its list, in points.
 pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
 /// The height of a row of a legend, in points.
@@ -89,6 +91,10 @@ pub const LIST_BELOW: f32 = 300.0;
 pub const PROGRESS_WIDTH: f32 = 130.0;
 /// Radius of a handle that can be dragged.
 pub const HANDLE_RADIUS: f32 = 7.0;
+/// How far from its middle, in points, a press takes a handle.
+pub const HANDLE_REACH: f32 = 20.0;
+/// The size of the button that puts a view back, in points.
+pub const RESET_VIEW: Vec2 = Vec2::new(76.0, 20.0);
 /// Alpha of a lobe one sees through, 0..255.
 pub const SEE_THROUGH_ALPHA: u8 = 120;
 

@@ -1,14 +1,16 @@
 //! The Cartesian plot: f over an angle.
 
-use egui::Ui;
+use egui::{Align2, Ui};
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::cartesian::{self, Abscissa, Curve};
 use crate::analysis::half_difference::half_difference;
+use crate::analysis::lobe::Arrow;
 use crate::analysis::{Channel, HeldLobe, polar};
+use crate::bxdf::Side;
 use crate::ui::export::table;
 use crate::ui::format;
-use crate::ui::session::{DECADES, MaterialEntry, Session};
+use crate::ui::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::chart::{Axis, Chart, Series, Shown};
 use crate::ui::widgets::legend::{self, Sample};
@@ -18,6 +20,7 @@ use crate::ui::widgets::{choice, draw};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "cartesian",
     title: "Cartesian plot",
+    is_of_held: |session| session.views.cartesian.abscissa == Abscissa::Free,
     what_you_see: "The value f over an angle, as papers print it: peaks, tails and what two \
         models differ by",
     show,
@@ -28,12 +31,26 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     legend::show(ui, Sample::Line, cx.session, cx.palette);
-    if let Some(note) = super::no_values(cx.session) {
+    if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
     let chart = chart(cx);
     let shown = chart.show(ui, None, cx.palette);
+    if let Some(note) = note(cx) {
+        let (place, font) = (shown.frame().left_bottom(), draw::small_font(ui));
+        let painter = ui.painter_at(shown.frame());
+        let (ink, place) = (cx.palette.ink, place + egui::vec2(6.0, -4.0));
+        draw::haloed_text(
+            &painter,
+            place,
+            Align2::LEFT_BOTTOM,
+            note,
+            font,
+            ink,
+            cx.palette,
+        );
+    }
     match cx.session.views.cartesian.abscissa {
         Abscissa::Free => point_at_direction(ui, cx, &chart, &shown),
         Abscissa::Half | Abscissa::Difference => point_at_pair(ui, cx, &chart, &shown),
@@ -56,11 +73,11 @@ fn controls(ui: &mut Ui, session: &mut Session) {
             Abscissa::Free => {}
             Abscissa::Half => {
                 let hint = "The angle between the light and the half vector, which stays";
-                choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, 0.0..=90.0);
+                choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, &FIXED_ANGLE);
             }
             Abscissa::Difference => {
                 let hint = "The angle between n and the half vector, which stays";
-                choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, 0.0..=90.0);
+                choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, &FIXED_ANGLE);
             }
         }
         let hint = "Values by decades below the highest: shows the tails";
@@ -80,15 +97,37 @@ fn controls(ui: &mut Ui, session: &mut Session) {
     });
 }
 
+/// Why there are fewer deltas than one might expect.
+fn note(cx: &mut ViewContext<'_>) -> Option<&'static str> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    if session.views.cartesian.abscissa == Abscissa::Free {
+        return None;
+    }
+    let crosses = |arrow: &Arrow| arrow.side == Side::Transmission;
+    let mut shown = session.materials.shown();
+    let has_one = shown.any(|entry| data.arrows(session, entry).iter().any(crosses));
+    has_one.then_some("Deltas that cross the surface have no half vector: they are not shown here")
+}
+
 /// The chart of every material shown.
 fn chart(cx: &mut ViewContext<'_>) -> Chart {
     let (session, data, palette) = (&*cx.session, &mut *cx.data, cx.palette);
     let options = session.views.cartesian;
     let request = session.cartesian_request();
     let reference = options.is_residual.then(|| session.materials.reference());
-    let mut series = Vec::new();
+    let (mut series, mut stems) = (Vec::new(), Vec::new());
+    let outside = match options.abscissa {
+        Abscissa::Difference => ", at θh 0°",
+        Abscissa::Free | Abscissa::Half => super::OUTSIDE_SECTION,
+    };
     for entry in session.materials.shown() {
         let curve = data.compare(session, entry, reference, request);
+        let (title, color) = (
+            session.materials.title(entry),
+            palette.material(entry.slot()),
+        );
+        let own = curve.stems.iter();
+        stems.extend(own.map(|stem| super::chart_stem(stem, &title, color, outside)));
         for channel in session.shown_curves().channels() {
             series.push(line(session, entry, &curve, *channel, palette));
         }
@@ -99,10 +138,18 @@ fn chart(cx: &mut ViewContext<'_>) -> Chart {
             .flat_map(|one| one.lines.iter().flatten())
             .map(|[_, y]| *y)
     };
-    let ends = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
-    let decades = request.scale.is_logarithmic().then_some(DECADES);
-    let y = Axis::of_values(value_name(session), ends, decades);
+    let [mut least, largest] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+    let y = if least == largest && !stems.is_empty() {
+        super::share_axis(stems.iter().map(|stem| stem.share))
+    } else {
+        // Room for stems that go down.
+        let lowest = stems.iter().map(|stem| stem.share).fold(0.0, f64::min);
+        least = least.min(lowest * largest.max(-least));
+        let decades = request.scale.is_logarithmic().then_some(DECADES);
+        Axis::of_values(value_name(session), [least, largest], decades)
+    };
     let mut chart = Chart::of("Cartesian plot", [x_axis(session), y], series);
+    chart.stems = stems;
     if options.abscissa == Abscissa::Free {
         chart.marks = super::section_marks(session, palette);
     }

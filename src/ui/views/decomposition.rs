@@ -6,13 +6,13 @@ use egui::{Color32, Rect, Ui, UiBuilder};
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::decomposition::{Decomposition, Factors};
-use crate::analysis::{Channel, polar};
-use crate::bxdf::Lobe;
+use crate::analysis::{Channel, deltas, polar};
+use crate::bxdf::{Category, Lobe};
 use crate::ui::export::table;
 use crate::ui::format;
 use crate::ui::session::{DECADES, Decomposed, EntryId, Session};
 use crate::ui::theme::{self, Dash, Palette};
-use crate::ui::widgets::chart::{Axis, Band, Chart, Series};
+use crate::ui::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::ui::widgets::legend::{self, Sample};
 use crate::ui::widgets::{choice, draw, pictures};
 
@@ -20,6 +20,7 @@ use crate::ui::widgets::{choice, draw, pictures};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "decomposition",
     title: "Decomposition",
+    is_of_held: |_| true,
     what_you_see: "What the value is made of: lobes that sum to it, or the factors D, G and F \
         of a microfacet model",
     show,
@@ -38,7 +39,7 @@ const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::no_values(cx.session) {
+    if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
@@ -227,25 +228,56 @@ fn lobes_chart(
         .flat_map(|one| one.lines.iter().flatten())
         .map(|[_, y]| *y);
     let highest = highest.fold(0.0, f64::max);
+    let stems: Vec<_> = decomposition
+        .stems
+        .iter()
+        .map(delta_stem(palette))
+        .collect();
     let decades = (options.is_logarithmic && !options.is_stacked).then_some(DECADES);
     let quantity = if session.with_cosine {
         "f |cos θ| (1/sr)"
     } else {
         "f (1/sr)"
     };
-    let y = Axis::of_values(quantity, [0.0, highest], decades);
+    let y = if highest == 0.0 && !stems.is_empty() {
+        super::share_axis(stems.iter().map(|stem| stem.share))
+    } else {
+        Axis::of_values(quantity, [0.0, highest], decades)
+    };
     let x = x_axis(session, std::iter::once(decomposition));
     let mut chart = Chart::of(name, [x, y], series);
     chart.bands = bands;
+    chart.stems = stems;
     chart.marks = super::section_marks(session, palette);
     chart.has_names = true;
     chart
 }
 
+/// A lobe that is a delta.
+fn delta_stem(palette: &Palette) -> impl Fn(&deltas::Stem) -> chart::Stem {
+    let color = palette.category(Category::PerfectSpecular);
+    move |stem| {
+        let lobe = Lobe {
+            category: Category::PerfectSpecular,
+            side: stem.side,
+            name: "",
+        };
+        let of = lobe_name(&lobe);
+        let stem = super::chart_stem(stem, &of, color, super::OUTSIDE_SECTION);
+        chart::Stem {
+            name: format!("{of}: {}", stem.name),
+            ..stem
+        }
+    }
+}
+
 /// The axis of the free direction's angle.
 fn x_axis<'a>(session: &Session, mut parts: impl Iterator<Item = &'a Decomposition>) -> Axis {
-    let reaches_below =
-        |parts: &Decomposition| parts.angles_deg.first().is_some_and(|x| *x < -90.0);
+    let reaches_below = |parts: &Decomposition| {
+        let is_below = |stem: &deltas::Stem| stem.x_deg.abs() > 90.0;
+        let ends = parts.angles_deg.first();
+        ends.is_some_and(|x| *x < -90.0) || parts.stems.iter().any(is_below)
+    };
     let end = if parts.any(reaches_below) {
         180.0
     } else {

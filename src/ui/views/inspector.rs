@@ -7,14 +7,19 @@ use glam::DVec3;
 
 use super::{ViewContext, ViewSpec};
 use crate::analysis::half_difference::{HalfDifference, Spherical, half_difference};
-use crate::analysis::inspector::Reading;
+use crate::analysis::hemisphere::Quantity;
+use crate::analysis::inspector::{DeltaReading, Reading, deltas};
+use crate::analysis::{Channel, Hold};
+use crate::bxdf::Side;
+use crate::ui::export::names;
 use crate::ui::format;
-use crate::ui::widgets::draw;
+use crate::ui::widgets::{deltas as widgets_deltas, draw};
 
 /// The list entry.
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "inspector",
     title: "Inspector",
+    is_of_held: |_| true,
     what_you_see: "Every material's numbers at the held direction and the one last pointed at \
         in any view; at first the mirror direction",
     show,
@@ -50,11 +55,31 @@ const COLUMNS: [(&str, &str); 12] = [
     ("F B", "The same in the blue channel"),
 ];
 
+/// The columns of deltas, which are shown where a material has one: name and meaning.
+const DELTAS: [(&str, &str); 2] = [
+    (
+        "Delta, reflected",
+        "The share of the flux that is mirrored as a Dirac delta, and where to: no part of f",
+    ),
+    (
+        "Delta, transmitted",
+        "The share of the flux that crosses the surface as a Dirac delta, and where to: no part of f",
+    ),
+];
+
 /// A pair of directions and what each material does there.
 struct Report {
     wo: DVec3,
     wi: DVec3,
-    rows: Vec<(String, egui::Color32, Reading)>,
+    rows: Vec<Row>,
+}
+
+/// What a material does.
+struct Row {
+    name: String,
+    color: egui::Color32,
+    reading: Reading,
+    deltas: [Option<DeltaReading>; 2],
 }
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
@@ -82,14 +107,21 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 fn report(cx: &mut ViewContext<'_>) -> Report {
     let session = &*cx.session;
     let (wo, wi) = cx.pair();
+    let free = match session.hold {
+        Hold::Light => wo,
+        Hold::Viewer => wi,
+    };
     let row = |entry| {
-        let surface = cx.data.surface(session, entry);
-        let color = cx.palette.material(entry.slot());
-        (
-            session.materials.title(entry),
-            color,
-            Reading::of(&*surface.bxdf, wo, wi),
-        )
+        let (reading, deltas) = cx.data.with_subject(session, entry, |subject| {
+            let lobe = &subject.lobe;
+            (Reading::of(lobe.surface(), wo, wi), deltas(lobe, free))
+        });
+        Row {
+            name: session.materials.title(entry),
+            color: cx.palette.material(entry.slot()),
+            reading,
+            deltas,
+        }
     };
     Report {
         wo,
@@ -137,14 +169,13 @@ impl Report {
 
     /// The table, with the angles in each row.
     fn csv(&self) -> String {
-        let mut text = String::from(
-            "material,theta_o_deg,phi_o_deg,theta_i_deg,phi_i_deg,f_r,f_g,f_b,f_cos_r,f_cos_g,f_cos_b,pdf,d,g,fresnel_r,fresnel_g,fresnel_b\n",
-        );
+        let mut text = csv_columns().join(",") + "\n";
         let [wo, wi] = [self.wo, self.wi].map(Spherical::of);
-        for (name, _, reading) in &self.rows {
-            let name = name.replace('"', "\"\"");
+        for row in &self.rows {
+            let name = row.name.replace('"', "\"\"");
             let angles = [wo.theta_deg, wo.phi_deg, wi.theta_deg, wi.phi_deg].map(Some);
-            let numbers = angles.into_iter().chain(numbers(reading));
+            let numbers = angles.into_iter().chain(numbers(&row.reading));
+            let numbers = numbers.chain(row.deltas.into_iter().flat_map(delta_numbers));
             let numbers = numbers.map(|x| x.map_or_else(String::new, |x| x.to_string()));
             let numbers = numbers.collect::<Vec<_>>().join(",");
             // Writing to a string cannot fail.
@@ -152,6 +183,53 @@ impl Report {
         }
         text
     }
+}
+
+/// The names of the columns of [`Report::csv`].
+fn csv_columns() -> Vec<String> {
+    let angles = ["theta_o", "phi_o", "theta_i", "phi_i"];
+    let angles = angles.map(|name| names::column(name, "degrees"));
+    let of = |quantity: Quantity| {
+        let name = move |channel| format!("{}_{channel}", quantity.id());
+        CHANNELS.map(|channel| names::column(&name(channel), quantity.unit()))
+    };
+    let densities = ["pdf", "d"].map(|name| names::column(name, "1/sr"));
+    let fresnel = CHANNELS.map(|channel| format!("fresnel_{channel}"));
+    let deltas = [Side::Reflection, Side::Transmission].into_iter();
+    let deltas = deltas.flat_map(|side| {
+        let shares = CHANNELS.map(|channel| format!("delta_{}_{channel}", side.id()));
+        let place = ["theta", "phi"].map(|angle| {
+            let name = format!("delta_{}_{angle}", side.id());
+            names::column(&name, "degrees")
+        });
+        shares.into_iter().chain(place)
+    });
+    let first = ["material".to_owned()].into_iter().chain(angles);
+    let values = of(Quantity::F).into_iter().chain(of(Quantity::FCos));
+    let factors = densities.into_iter().chain(["g".to_owned()]).chain(fresnel);
+    first.chain(values).chain(factors).chain(deltas).collect()
+}
+
+/// What the names of channels end in.
+const CHANNELS: [&str; 3] = ["r", "g", "b"];
+
+/// The share of a delta, and its direction; nothing where there is none.
+fn delta_numbers(delta: Option<DeltaReading>) -> [Option<f64>; 5] {
+    delta.map_or([None; 5], |DeltaReading { arrow, .. }| {
+        let ([r, g, b], place) = (arrow.flux, Spherical::of(arrow.direction));
+        [r, g, b, place.theta_deg, place.phi_deg].map(Some)
+    })
+}
+
+/// A delta in the table.
+fn delta_text(delta: Option<DeltaReading>) -> String {
+    let Some(DeltaReading { arrow, is_here }) = delta else {
+        return "-".to_owned();
+    };
+    let share = widgets_deltas::share(Channel::Luminance.of(arrow.flux));
+    let place = spherical(Spherical::of(arrow.direction));
+    let here = if is_here { ", here" } else { "" };
+    format!("{share} at {place}{here}")
 }
 
 /// The numbers of the columns; `None` where a surface has none.
@@ -170,21 +248,27 @@ fn numbers(reading: &Reading) -> impl Iterator<Item = Option<f64>> {
 }
 
 fn table(ui: &mut Ui, report: &Report) {
+    let has_deltas = report.rows.iter().any(|row| row.deltas != [None, None]);
+    let deltas = if has_deltas { &DELTAS[..] } else { &[] };
     Grid::new("inspector")
         .striped(true)
         .spacing([14.0, 4.0])
         .show(ui, |ui| {
             ui.label("");
-            for (name, meaning) in COLUMNS {
-                ui.label(RichText::new(name).weak()).on_hover_text(meaning);
+            for (name, meaning) in deltas.iter().chain(&COLUMNS) {
+                ui.label(RichText::new(*name).weak())
+                    .on_hover_text(*meaning);
             }
             ui.end_row();
-            for (name, color, reading) in &report.rows {
+            for row in &report.rows {
                 ui.horizontal(|ui| {
-                    draw::swatch(ui, *color);
-                    ui.label(name);
+                    draw::swatch(ui, row.color);
+                    ui.label(&row.name);
                 });
-                for number in numbers(reading) {
+                for delta in row.deltas.into_iter().filter(|_| has_deltas) {
+                    ui.label(RichText::new(delta_text(delta)).monospace());
+                }
+                for number in numbers(&row.reading) {
                     let text = number.map_or_else(|| "-".to_owned(), format::value);
                     ui.label(RichText::new(text).monospace());
                 }

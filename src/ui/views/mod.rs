@@ -11,11 +11,11 @@ use super::export::{Format, table};
 use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Materials, Session, ViewId};
 use super::theme::{Dash, Palette};
-use super::widgets::chart::Mark;
+use super::widgets::chart::{self, Axis, Mark};
 use super::widgets::pictures::{ColorScale, Textures};
-use super::widgets::{choice, draw};
+use super::widgets::{choice, deltas as widgets_deltas, draw};
 use crate::analysis::hemisphere::Map;
-use crate::analysis::{HeldLobe, Hold, polar as section};
+use crate::analysis::{HeldLobe, Hold, deltas, polar as section};
 use crate::error::{Error, Result};
 use crate::lab::contract::Witness;
 use crate::lab::stability::map as stability_map;
@@ -41,6 +41,8 @@ pub struct ViewSpec {
     pub title: &'static str,
     /// What to see in it, in a sentence.
     pub what_you_see: &'static str,
+    /// Whether, as the session has it, it shows what becomes of the held direction.
+    pub is_of_held: fn(&Session) -> bool,
     /// Draws it into the space left in the `Ui`.
     pub show: fn(&mut egui::Ui, &mut ViewContext<'_>),
     /// The numbers behind it.
@@ -114,6 +116,8 @@ pub struct ViewState {
     chosen: tradeoff::Chosen,
     /// The lines of equal condition number of a map of errors.
     kappas: Memo<Same<stability_map::Map>, Lines>,
+    /// Whether a picture is made, in which nobody can click.
+    pub(super) is_picture: bool,
     /// A file that a view asks to be written.
     wished_file: Option<(ViewId, Format)>,
 }
@@ -169,13 +173,63 @@ fn section_marks(session: &Session, palette: &Palette) -> Vec<Mark> {
     ]
 }
 
+/// A delta in a chart over the free direction's angle; `outside` says where one is that lies elsewhere.
+fn chart_stem(stem: &deltas::Stem, of: &str, color: egui::Color32, outside: &str) -> chart::Stem {
+    let share = stem.share();
+    let place = if stem.is_inside { "" } else { outside };
+    chart::Stem {
+        name: format!("{}{place}", widgets_deltas::label(share)),
+        of: of.to_owned(),
+        at: stem.x_deg,
+        share,
+        color,
+        dash: if stem.is_inside {
+            Dash::Solid
+        } else {
+            Dash::Dashed
+        },
+    }
+}
+
+/// What is said of deltas that a section does not hold.
+const OUTSIDE_SECTION: &str = ", outside this section";
+
+/// The axis upwards where all light is in deltas: their shares.
+fn share_axis(shares: impl Iterator<Item = f64>) -> Axis {
+    let (least, largest) = shares.fold((0.0_f64, 1.0_f64), |(low, high), share| {
+        (low.min(share), high.max(share))
+    });
+    Axis::of_values("share of the flux", [least, largest], None)
+}
+
+/// Where the held direction lies below opaque materials and the view is of it: says so, and offers the way back.
+pub(super) fn warn_of_held(ui: &mut egui::Ui, cx: &mut ViewContext<'_>, view: &ViewSpec) {
+    let session = &mut *cx.session;
+    let is_told = session.is_held_below() && (view.is_of_held)(session);
+    if !is_told {
+        return;
+    }
+    let name = session.held_name();
+    ui.horizontal_wrapped(|ui| {
+        let text = format!(
+            "The {name} is below the surface, and nothing shown lets light through: all values above it are 0"
+        );
+        ui.colored_label(ui.visuals().error_fg_color, text);
+        let hint = "As far above the surface as it is below now";
+        let button = ui.button(format!("Bring the {name} above"));
+        if button.on_hover_text(hint).clicked() {
+            session.raise_held();
+        }
+    });
+}
+
 /// Why no view has anything to show.
 fn nothing_to_show(session: &Session) -> Option<&'static str> {
     let is_hidden = session.materials.shown().next().is_none();
     is_hidden.then_some("Every material is hidden")
 }
 
-/// Why a view of values has nothing to show, though there are materials.
+/// Why an export of values has nothing, though there are materials.
 pub(super) fn no_values(session: &Session) -> Option<&'static str> {
     let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
     let is_empty = session.materials.shown().all(is_delta);

@@ -18,6 +18,7 @@ use crate::ui::widgets::{choice, draw};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "reflectance",
     title: "Reflectance",
+    is_of_held: |_| false,
     what_you_see: "The share of the light arriving at an angle that leaves, in all directions \
         together: above 1 energy is created",
     show,
@@ -58,7 +59,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         cx.palette,
     );
     if shown.response.clicked() {
-        cx.session.theta_deg = (10.0 * x).round() / 10.0;
+        cx.session.set_theta_deg((10.0 * x).round() / 10.0);
     }
 }
 

@@ -5,19 +5,20 @@ use std::sync::Arc;
 use egui::{Align2, Rect, Response, Ui, vec2};
 
 use super::{ViewContext, ViewSpec};
-use crate::analysis::Channel;
-use crate::analysis::slice::{REGIONS, Region, Request, Slice, pair_at, place_of};
+use crate::analysis::slice::{REGIONS, Region, Request, Slice, mirrored_at, pair_at, place_of};
+use crate::analysis::{Channel, Subject};
 use crate::ui::export::table;
 use crate::ui::format;
-use crate::ui::session::{DECADES, EntryId, MaterialEntry, Session};
+use crate::ui::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
-use crate::ui::widgets::{choice, draw};
+use crate::ui::widgets::{choice, deltas, draw};
 
 /// The list entry.
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "slice",
     title: "Slice",
+    is_of_held: |_| false,
     what_you_see: "f over the angles of half vector (to the right) and difference (upwards): \
         the fingerprint of a material",
     show,
@@ -45,14 +46,18 @@ const ROOM_FOR_NAMES: f32 = 150.0;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::no_values(cx.session) {
+    if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
     let slices = slices(cx);
     let scale = scale(slices.iter().map(|(_, slice)| &**slice), cx.session);
-    let room = ui.available_rect_before_wrap();
-    let room = pictures::color_bar(ui, room, scale, "f, 1/sr", cx.palette);
+    let mut room = ui.available_rect_before_wrap();
+    let is_above_zero = |rgb: &[f64; 3]| rgb.iter().any(|x| *x > 0.0);
+    let mut pixels = slices.iter().flat_map(|(_, slice)| &slice.raster.pixels);
+    if pixels.any(is_above_zero) {
+        room = pictures::color_bar(ui, room, scale, "f, 1/sr", cx.palette);
+    }
     for (index, cell) in pictures::cells(room, slices.len(), 1.0)
         .into_iter()
         .enumerate()
@@ -72,7 +77,12 @@ fn controls(ui: &mut Ui, session: &mut Session) {
     ui.horizontal_wrapped(|ui| {
         let hint = "The azimuth of the difference about the half vector: at 90° both \
             directions are equally far from n";
-        choice::angle(ui, ("φd", hint), &mut options.phi_d_deg, 0.0..=180.0);
+        choice::angle(
+            ui,
+            ("φd", hint),
+            &mut options.phi_d_deg,
+            &DIFFERENCE_AZIMUTH,
+        );
         let hint = "θh by its square root: more room for the specular peak";
         choice::switch(ui, ("√θh", hint), &mut options.is_square_root);
         let hint = "Colours by decades below the highest value";
@@ -148,7 +158,38 @@ fn show_slice(
             );
         }
     }
+    draw_delta(ui, cx, cell.picture, entry);
     point(ui, cx, cell.picture, (entry, slice), &response);
+}
+
+/// The share of the flux that a material mirrors at this theta_d, as a delta.
+fn delta_at(cx: &mut ViewContext<'_>, entry: EntryId, theta_d_deg: f64) -> Option<f64> {
+    let session = &*cx.session;
+    let entry = session.materials.get(entry)?;
+    let request = session.slice_request();
+    let share = |subject: &Subject<'_>| mirrored_at(&request, subject, theta_d_deg);
+    let share = cx.data.with_subject(session, entry, share)?;
+    Some(Channel::Luminance.of(share))
+}
+
+/// The delta of a mirror: it stands along the edge theta_h = 0, with a ring at the theta_d of the direction held.
+fn draw_delta(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, entry: EntryId) {
+    let theta = cx.session.theta_deg;
+    let theta_d = theta.min(180.0 - theta);
+    let Some(share) = delta_at(cx, entry, theta_d) else {
+        return;
+    };
+    let Some(found) = cx.session.materials.get(entry) else {
+        return;
+    };
+    let color = cx.palette.material(found.slot());
+    let painter = ui.painter_at(rect.expand(2.0 * deltas::BESIDE_RING));
+    painter.vline(rect.left(), rect.y_range(), (3.0, color));
+    let at = pictures::position_of(rect, place([0.0, theta_d], &cx.session.slice_request()));
+    deltas::ring(&painter, at, (color, cx.palette), true);
+    let beside = (at + vec2(deltas::BESIDE_RING, 0.0), Align2::LEFT_CENTER);
+    let (text, look) = (deltas::label(share), (cx.palette.ink, cx.palette));
+    deltas::write(ui, &painter, &mut Vec::new(), beside, &text, look);
 }
 
 /// Where angles stand in the picture, as a share from its upper left.
@@ -265,13 +306,18 @@ fn point(
         |value| format!("f {} 1/sr", format::value(value)),
     );
     let theta_h = 90.0 * if request.is_square_root { x * x } else { x };
+    let is_at_edge = pointer.x - rect.left() < deltas::BESIDE_RING;
+    let delta = delta_at(cx, entry, 90.0 * (1.0 - y)).filter(|_| is_at_edge);
+    let delta = delta.map_or_else(String::new, |share| {
+        format!("\n{} at θh 0°", deltas::label(share))
+    });
     let name = cx
         .session
         .materials
         .get(entry)
         .map(|entry| cx.session.materials.title(entry));
     let text = format!(
-        "{}\nθh {}  θd {}\n{value}",
+        "{}\nθh {}  θd {}\n{value}{delta}",
         name.unwrap_or_default(),
         format::degrees(theta_h),
         format::degrees(90.0 * (1.0 - y))

@@ -76,8 +76,6 @@ impl Finding {
 pub(super) struct Badges<'a> {
     /// How the material is called.
     pub(super) title: &'a str,
-    /// The material.
-    pub(super) material: &'a Material,
     /// What was found; `None` while it is being computed.
     pub(super) reports: Option<&'a [LawReport]>,
 }
@@ -175,12 +173,8 @@ impl Badges<'_> {
         let Some(report) = self.report(law) else {
             return hint;
         };
-        if finding == Finding::Declared {
-            let models = self.material.components().iter();
-            let notes = models.flat_map(|component| law.declarations(component.model()));
-            for declaration in notes {
-                hint = format!("{hint}\n{}", declaration.note);
-            }
+        if let Some(sentence) = report.sentence() {
+            hint = format!("{hint}\n{sentence}");
         }
         if law == LawId::Finite && report.worst == 0.0 {
             return format!("{hint}\nTried at {} places, in every precision", report.n);
@@ -196,21 +190,61 @@ impl Badges<'_> {
     }
 }
 
-/// The badges of `entry`, called `title`. Returns where to go, if one is clicked.
+/// The badges of `entry`, called `title`, and what there is to be said and done of its energy. Returns where to go, if that is
+/// asked for; `material`, which becomes the entry's, is scaled where that is.
 pub fn show(
     ui: &mut Ui,
     title: &str,
     entry: &MaterialEntry,
+    material: &mut Material,
     data: &mut Data,
     palette: &Palette,
 ) -> Option<Witness> {
     let checks = data.checks(entry);
     let badges = Badges {
         title,
-        material: &entry.material,
         reports: checks.as_ref().map(|checks| checks.as_slice()),
     };
-    badges.all(ui, palette)
+    let wished = badges.all(ui, palette);
+    let Some(energy) = badges.report(LawId::Energy) else {
+        return wished;
+    };
+    let asked = remedy(ui, energy, material, Finding::of(energy).color(palette));
+    wished.or(asked)
+}
+
+/// What happens where `energy` is created, and what can be done; nothing where it is kept.
+fn remedy(
+    ui: &mut Ui,
+    energy: &LawReport,
+    material: &mut Material,
+    color: Color32,
+) -> Option<Witness> {
+    let sentence = energy.sentence()?;
+    ui.label(RichText::new(sentence).small().color(color));
+    ui.horizontal(|ui| {
+        let small = |text| Button::new(RichText::new(text).small()).small();
+        let go = ui
+            .add(small("Go there"))
+            .on_hover_text("Hold the light where most leaves");
+        // What leaves at most, as far as it is known: then no more leaves than arrives.
+        let largest = 1.0 + energy.worst + energy.error;
+        let scaled = material.with_weights_over(largest).ok();
+        let scaled = scaled.filter(|_| largest.is_finite());
+        let scale = ui
+            .add_enabled(scaled.is_some(), small("Scale the weights"))
+            .on_hover_text(format!(
+                "Divide the weight of every lobe by {}, the most that leaves of what arrives",
+                format::value(largest)
+            ));
+        if let Some(scaled) = scaled
+            && scale.clicked()
+        {
+            *material = scaled;
+        }
+        go.clicked().then(|| energy.witness.clone())
+    })
+    .inner
 }
 
 /// What a law asks, for a newcomer.

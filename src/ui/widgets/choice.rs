@@ -2,7 +2,9 @@
 
 use egui::{Response, Ui};
 
+use crate::ui::number::NumberSpec;
 use crate::ui::theme;
+use crate::ui::widgets::number::Number;
 
 /// Begins a new row where `width` points do not fit into this one: what stands in a row of its own does not wrap.
 pub fn keep_together(ui: &mut Ui, width: f32) {
@@ -72,21 +74,11 @@ pub fn choice<T: Copy + PartialEq>(
     });
 }
 
-/// An angle in degrees within `range`.
-pub fn angle(
-    ui: &mut Ui,
-    (name, hint): (&str, &str),
-    value: &mut f64,
-    range: std::ops::RangeInclusive<f64>,
-) {
+/// An angle in degrees, with its name before it.
+pub fn angle(ui: &mut Ui, (name, hint): (&str, &str), value: &mut f64, spec: &NumberSpec) {
     ui.label(name).on_hover_text(hint);
-    let field = egui::DragValue::new(value)
-        .range(range)
-        .suffix("°")
-        .speed(0.5)
-        .max_decimals(1);
-    let response = ui.add(field).on_hover_text(hint);
-    named(ui, &response, name);
+    let number = Number::new(name, *spec);
+    number.field(ui, value).on_hover_text(hint).explain(ui);
 }
 
 /// A switch.

@@ -8,16 +8,25 @@ use crate::bxdf::material::{MAX_COMPONENTS, library};
 use crate::bxdf::models::MODELS;
 use crate::bxdf::param::Value;
 use crate::bxdf::{Category, Component, Material, ModelSpec};
-use crate::error::Error;
+use crate::lab::contract::weight_that_keeps_energy;
 
-/// The weight of a lobe that is added: the material stays what it is, and seldom gives back more light than arrives.
+/// The weight of a lobe that is added, where there is so much room: the material stays what it is.
 const ADDED_WEIGHT: f64 = 0.25;
+
+/// What is said of a material until it changes.
+struct Said {
+    /// What it is said of.
+    of: Material,
+    text: String,
+    /// Whether a change was refused.
+    is_refusal: bool,
+}
 
 /// What stands below the picker.
 #[derive(Default)]
 pub struct Components {
-    /// The material whose change was refused last, and why.
-    refused: Option<(Material, String)>,
+    /// What is said of the last change: why it was refused, or what was made of it.
+    said: Option<Said>,
     /// Whether the last lobe was just added, and is to be scrolled to.
     is_last_new: bool,
 }
@@ -48,23 +57,43 @@ impl Components {
         if let Some(index) = removed {
             components.remove(index);
         }
+        let mut told = None;
         if let Some(model) = ask_for_lobe(ui, components.len()) {
-            components.push(added(model, material));
+            let lobe = added(model, material);
+            told = Some(told_of(&lobe));
+            components.push(lobe);
             self.is_last_new = true;
             ui.ctx().request_repaint();
         }
         if components != material.components() {
             match material.with_components(components) {
-                Ok(changed) => *material = changed,
-                Err(error) => self.refused = Some((material.clone(), reason(error))),
+                Ok(changed) => {
+                    *material = changed;
+                    self.say(material, told, false);
+                }
+                Err(error) => self.say(material, Some(params::reason(error)), true),
             }
         }
         // It stays until the material changes.
-        if let Some((unchanged, reason)) = &self.refused
-            && unchanged == material
-        {
-            ui.colored_label(ui.visuals().error_fg_color, reason);
+        if let Some(said) = self.said.as_ref().filter(|said| said.of == *material) {
+            let visuals = ui.visuals();
+            let color = if said.is_refusal {
+                visuals.error_fg_color
+            } else {
+                visuals.text_color()
+            };
+            ui.colored_label(color, &said.text);
         }
+    }
+}
+
+impl Components {
+    fn say(&mut self, material: &Material, text: Option<String>, is_refusal: bool) {
+        self.said = text.map(|text| Said {
+            of: material.clone(),
+            text,
+            is_refusal,
+        });
     }
 }
 
@@ -223,7 +252,8 @@ fn ask_for_lobe(ui: &mut Ui, n: usize) -> Option<&'static ModelSpec> {
     chosen
 }
 
-/// A faint lobe of `model`; where light crosses both, with the index of refraction that `material` has.
+/// A faint lobe of `model`, whose weight leaves no more light than arrives; where light crosses both, with the index of
+/// refraction that `material` has.
 fn added(model: &'static ModelSpec, material: &Material) -> Component {
     let mut component = Component::of(model);
     let is_crossed = |component: &Component| component.model().transmits();
@@ -231,8 +261,23 @@ fn added(model: &'static ModelSpec, material: &Material) -> Component {
         // A model without such a parameter, or another index by it, is refused with the reason when it is added.
         let _ = component.set("eta", Value::Number(material.relative_index()));
     }
-    let _ = component.set_weight(ADDED_WEIGHT);
+    // It is within the range.
+    let _ = component.set_weight(weight_that_keeps_energy(material, &component, ADDED_WEIGHT));
     component
+}
+
+/// What is said of a lobe that was added.
+fn told_of(added: &Component) -> String {
+    let (title, weight) = (added.model().title, added.weight());
+    if weight == 0.0 {
+        return format!("{title} starts with weight 0: the other lobes give back all the light");
+    }
+    let room = if weight < ADDED_WEIGHT {
+        ": with more, more light would leave than arrives"
+    } else {
+        ""
+    };
+    format!("{title} starts with weight {weight}{room}")
 }
 
 /// The index of refraction below the surface is one: where a lobe that light crosses got another than it had `before`,
@@ -252,14 +297,6 @@ fn carry_index(before: &[Component], components: &mut [Component]) {
     }
 }
 
-/// The reason of a refusal, in a line.
-fn reason(error: Error) -> String {
-    match error {
-        Error::Parse { problem, .. } => problem,
-        other => other.to_string(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -269,10 +306,9 @@ mod tests {
     fn a_lobe_that_is_added_takes_over_the_index() {
         let water: Material = "fresnel_specular:eta=1.33".parse().unwrap();
         let rough = added(models::find("rough_dielectric").unwrap(), &water);
-        assert_eq!(
-            (rough.relative_index(), rough.weight()),
-            (1.33, ADDED_WEIGHT)
-        );
+        // Clear water gives back all the light.
+        assert_eq!((rough.relative_index(), rough.weight()), (1.33, 0.0));
+        assert!(told_of(&rough).contains("weight 0: the other lobes"));
         let mut both = water.components().to_vec();
         both.push(rough);
         assert!(water.with_components(both.clone()).is_ok());
@@ -281,7 +317,9 @@ mod tests {
         carry_index(&both, &mut edited);
         let indices = edited.iter().map(Component::relative_index);
         assert_eq!(indices.collect::<Vec<_>>(), [1.6, 1.6]);
-        let plain = added(models::find("phong").unwrap(), &water);
+        let grey: Material = "lambertian_reflection:reflectance=.5".parse().unwrap();
+        let plain = added(models::find("phong").unwrap(), &grey);
         assert_eq!(plain.to_string(), "phong");
+        assert_eq!(told_of(&plain), "Phong starts with weight 0.25");
     }
 }

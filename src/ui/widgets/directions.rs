@@ -1,11 +1,11 @@
 //! The direction panel: the held direction and the turn of the surface.
 
-use std::ops::RangeInclusive;
-
-use egui::{Grid, RichText, ScrollArea, Slider, SliderClamping, Ui};
+use egui::{Grid, RichText, ScrollArea, Ui};
 
 use crate::analysis::Hold;
-use crate::ui::session::{Session, wrapped_deg};
+use crate::ui::number::NumberSpec;
+use crate::ui::session::{PHI, ROTATION, Session};
+use crate::ui::widgets::number::Number;
 
 /// The panel; it changes the session.
 pub fn show(ui: &mut Ui, session: &mut Session) {
@@ -18,7 +18,8 @@ fn grid(ui: &mut Ui, session: &mut Session) {
     Grid::new("directions").num_columns(5).spacing([12.0, 3.0]).show(ui, |ui| {
         hold(ui, session);
         let hint = "Polar angle of the held direction from the normal n";
-        angle(ui, "θ from n", &mut session.theta_deg, 0.0..=180.0, hint);
+        let spec = session.theta_spec();
+        angle(ui, "θ from n", &mut session.theta_deg, spec, hint);
         trigonometry(ui, "θ", session.theta_deg);
         ui.end_row();
 
@@ -27,7 +28,7 @@ fn grid(ui: &mut Ui, session: &mut Session) {
             Hold::Viewer => "f over all lights (wi)",
         });
         let hint = "Azimuth of the held direction from the axis s";
-        turning(ui, "φ from s", &mut session.phi_deg, hint);
+        angle(ui, "φ from s", &mut session.phi_deg, PHI, hint);
         trigonometry(ui, "φ", session.phi_deg);
         ui.end_row();
 
@@ -38,7 +39,7 @@ fn grid(ui: &mut Ui, session: &mut Session) {
         });
         let hint = "Turns the surface with its own axes (see its brush lines) under the fixed directions and the axes s and t: \
                     an isotropic lobe stays as it is, an anisotropic one turns";
-        turning(ui, "Rotate surface about n", &mut session.rotation_deg, hint);
+        angle(ui, "Rotate surface about n", &mut session.rotation_deg, ROTATION, hint);
         ui.end_row();
     });
 }
@@ -57,41 +58,15 @@ fn hold(ui: &mut Ui, session: &mut Session) {
     });
 }
 
-fn angle(ui: &mut Ui, label: &str, value: &mut f64, range: RangeInclusive<f64>, hint: &str) {
-    let (low, high) = (*range.start(), *range.end());
-    if ui
-        .add(slider(value, range, label))
-        .on_hover_text(hint)
-        .changed()
-    {
-        *value = value.clamp(low, high);
-    }
-}
-
-/// An angle of a full turn: a typed 230 is -130.
-fn turning(ui: &mut Ui, label: &str, value: &mut f64, hint: &str) {
-    if ui
-        .add(slider(value, -180.0..=180.0, label))
-        .on_hover_text(hint)
-        .changed()
-    {
-        *value = wrapped_deg(*value);
-    }
-}
-
-/// A slider that leaves its value alone until it is moved: a session may hold finer angles than its steps.
-fn slider<'a>(value: &'a mut f64, range: RangeInclusive<f64>, label: &str) -> Slider<'a> {
-    let step = if (*value * 10.0).fract() == 0.0 {
-        0.1
-    } else {
-        0.0
-    };
-    Slider::new(value, range)
-        .clamping(SliderClamping::Never)
-        .suffix("°")
-        .max_decimals(4)
-        .step_by(step)
-        .text(label)
+/// An angle with its slider, which has steps of a tenth of a degree as long as the value has no finer digits.
+fn angle(ui: &mut Ui, label: &str, value: &mut f64, spec: NumberSpec, hint: &str) {
+    let is_tenth = (*value * 10.0).fract() == 0.0;
+    let step = if is_tenth { 0.1 } else { 0.0 };
+    let number = Number::new(label, spec).steps(step, 4);
+    ui.vertical(|ui| {
+        let shown = number.slider(ui, label, value);
+        shown.on_hover_text(hint).explain(ui);
+    });
 }
 
 fn trigonometry(ui: &mut Ui, name: &str, angle_deg: f64) {

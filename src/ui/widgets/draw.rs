@@ -1,8 +1,7 @@
 //! Drawing that several views share.
 
 use egui::{
-    Align2, Color32, FontId, Id, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke,
-    TextStyle, Ui, WidgetInfo, vec2,
+    Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, TextStyle, Ui, vec2,
 };
 use egui_plot::{MarkerShape, PlotUi};
 
@@ -10,7 +9,7 @@ use crate::analysis::Channel;
 use crate::analysis::half_difference::Spherical;
 use crate::ui::format;
 use crate::ui::session::{Curves, Session};
-use crate::ui::theme::{self, Dash, HANDLE_RADIUS, Palette};
+use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::views::Cursor;
 
 /// Scrolling by this many points zooms by a factor e to this times them.
@@ -60,7 +59,8 @@ pub fn haloed_text(
 }
 
 /// `rect` moved by as little as possible to lie inside `bounds`.
-fn inside(rect: Rect, bounds: Rect) -> Rect {
+#[must_use]
+pub fn inside(rect: Rect, bounds: Rect) -> Rect {
     let low = (bounds.min - rect.min).max(egui::Vec2::ZERO);
     let high = (bounds.max - rect.max).min(egui::Vec2::ZERO);
     rect.translate(low + high)
@@ -73,10 +73,10 @@ pub fn clipped(text: &str, most: usize) -> String {
     if start == text { start } else { start + "…" }
 }
 
-/// `rect`, or the same a line or two above or below, where none of `taken` stands; it is taken then.
+/// `rect`, or the same up to four lines above or below, where none of `taken` stands; it is taken then.
 pub fn free_place(taken: &mut Vec<Rect>, rect: Rect) -> Rect {
     let is_free = |place: &Rect| taken.iter().all(|other| !other.intersects(*place));
-    let place = [0.0, -1.0, 1.0, -2.0, 2.0]
+    let place = [0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0, -4.0, 4.0]
         .map(|lines| rect.translate(vec2(0.0, lines * rect.height())))
         .into_iter()
         .find(is_free)
@@ -145,21 +145,6 @@ pub fn swatch(ui: &mut Ui, color: Color32) {
     ui.painter().rect_filled(rect, 2.0, color);
 }
 
-/// A thick arrow with a filled head, which is no longer than the arrow.
-pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
-    const HEAD: f32 = 13.0;
-    const WIDTH: f32 = 3.5;
-    let along = (to - from).normalized();
-    let head = HEAD.min((to - from).length());
-    let (base, across) = (to - along * head, along.rot90() * 0.42 * head);
-    painter.line_segment([from, base], (WIDTH, color));
-    painter.add(Shape::convex_polygon(
-        vec![to, base + across, base - across],
-        color,
-        Stroke::NONE,
-    ));
-}
-
 /// A note beside the pointer.
 pub fn pointer_note(ui: &Ui, pointer: Pos2, frame: Rect, text: &str, palette: &Palette) {
     let painter = ui.painter_at(frame);
@@ -187,32 +172,6 @@ pub fn centred_note(ui: &mut Ui, text: &str) {
         egui::Layout::centered_and_justified(egui::Direction::TopDown),
         |ui| ui.label(text),
     );
-}
-
-/// A round handle that can be dragged, with its name for tests and screen readers.
-#[must_use]
-pub fn handle(
-    ui: &Ui,
-    position: Pos2,
-    id: Id,
-    name: &'static str,
-    color: Color32,
-    palette: &Palette,
-) -> Response {
-    let grip = Rect::from_center_size(position, egui::Vec2::splat(2.0 * HANDLE_RADIUS + 16.0));
-    let response = ui
-        .interact(grip, id, Sense::drag())
-        .on_hover_cursor(egui::CursorIcon::Grab);
-    response.widget_info(|| WidgetInfo::labeled(Role::GraphicsObject, ui.is_enabled(), name));
-    let is_active = response.hovered() || response.dragged();
-    let radius = if is_active {
-        HANDLE_RADIUS + 2.0
-    } else {
-        HANDLE_RADIUS
-    };
-    ui.painter()
-        .circle(position, radius, color, (2.0, palette.background));
-    response
 }
 
 /// The angles of a direction pointed at; and of which material, where there are several.

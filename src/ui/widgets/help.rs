@@ -6,15 +6,26 @@ use crate::ui::commands::{COMMANDS, Command, Group};
 use crate::ui::theme;
 
 /// What the mouse and the keys do in parts of the window.
-const GESTURES: [(&str, &[(&str, &str)]); 3] = [
+const GESTURES: [(&str, &[(&str, &str)]); 4] = [
     (
         "In the views",
         &[
             ("Drag the round handle", "Move the light or the viewer"),
             ("Drag the 3D lobe", "Orbit the camera; with Shift, pan it"),
             ("Scroll or pinch", "Zoom"),
-            ("Double-click", "Reset the camera or the zoom"),
+            (
+                "Double-click, Reset view",
+                "Undo panning, zooming and turning",
+            ),
             ("Click a name of a legend", "Select that material"),
+        ],
+    ),
+    (
+        "In a search",
+        &[
+            ("Up, Down", "Go through what is found"),
+            ("Enter", "Choose it"),
+            ("Escape", "Leave, and clear the search"),
         ],
     ),
     (

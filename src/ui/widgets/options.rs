@@ -2,8 +2,9 @@
 
 use egui::{RichText, ThemePreference, Ui};
 
-use crate::ui::session::{Curves, LobeSurface, Session};
+use crate::ui::session::{Curves, LobeSurface, SECTION_PHI, Session};
 use crate::ui::theme;
+use crate::ui::widgets::number::Number;
 
 /// The line that says what to try first.
 const FIRST_STEP: &str = "Try this: drag the round handle, pick another model";
@@ -139,12 +140,10 @@ fn section(ui: &mut Ui, session: &mut Session) {
         _ => {}
     }
     if let Some(phi) = &mut session.section_phi_deg {
-        let field = egui::DragValue::new(phi)
-            .range(-90.0..=90.0)
-            .suffix("°")
-            .speed(1.0);
-        let response = ui.add(field).on_hover_text("Azimuth of the section from s");
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label("Section azimuth"));
+        let number = Number::new("Section azimuth", SECTION_PHI);
+        let shown = number.speed(1.0).field(ui, phi);
+        shown
+            .on_hover_text("Azimuth of the section from s")
+            .explain(ui);
     }
 }

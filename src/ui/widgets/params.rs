@@ -2,24 +2,22 @@
 
 use std::collections::BTreeSet;
 
-use egui::{ComboBox, DragValue, Response, Slider, Ui, accesskit};
+use egui::{ComboBox, Response, Ui, accesskit};
 
 use crate::bxdf::Component;
+use crate::bxdf::material::WEIGHT;
 use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
+use crate::error::Error;
+use crate::ui::number::NumberSpec;
 use crate::ui::session::WIDTHS;
 use crate::ui::theme;
+use crate::ui::widgets::number::{Number, Shown};
+
+/// Says why a model refuses a value though it is within its range.
+type Check<'a> = &'a dyn Fn(Value) -> Result<(), String>;
 
 /// The names of the channels.
 const CHANNELS: [&str; 3] = ["R", "G", "B"];
-
-/// The weight, as a parameter among the others.
-static WEIGHT: ParamSpec = ParamSpec::number(
-    "weight",
-    1.0,
-    "Factor on all values of this lobe; weights need not sum to 1",
-)
-.hard(0.0, 10.0)
-.soft(0.0, 1.0);
 
 /// What ties parameters together, changed by the buttons beside them.
 pub struct Ties<'a> {
@@ -74,7 +72,7 @@ pub fn show_weight(ui: &mut Ui, component: &mut Component, ordinal: Option<usize
     let mut edited = Value::Number(weight);
     ui.scope(|ui| {
         ui.spacing_mut().slider_width = slider_width(ui, labels(&WEIGHT).into_iter(), false);
-        row(ui, &WEIGHT, &mut edited, ordinal, None);
+        row(ui, &WEIGHT, &mut edited, ordinal, None, &|_| Ok(()));
     });
     if let Value::Number(edited) = edited
         && edited != weight
@@ -95,10 +93,12 @@ pub fn show(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>, ties
     let can_lock = params.iter().any(|(spec, _)| (ties.is_shared)(spec));
     let labels = sliders.flat_map(|(spec, _)| labels(spec));
     ui.spacing_mut().slider_width = slider_width(ui, labels, can_lock);
+    let before = component.clone();
     for (spec, value) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
+        let check = |value| before.clone().set(spec.name, value).map_err(reason);
         let mut edited = value;
         ui.push_id((component.model().id, spec.name), |ui| {
-            row(ui, spec, &mut edited, ordinal, Some(ties));
+            row(ui, spec, &mut edited, ordinal, Some(ties), &check);
             let [first, second] = WIDTHS;
             if spec.name == second && params.get(first).is_some() {
                 ties.link_box(ui, ordinal);
@@ -130,6 +130,15 @@ fn set(component: &mut Component, spec: &ParamSpec, value: Value) {
     }
 }
 
+/// The reason of a refusal, in a line.
+#[must_use]
+pub fn reason(error: Error) -> String {
+    match error {
+        Error::Parse { problem, .. } => problem,
+        other => other.to_string(),
+    }
+}
+
 /// The name under which assistive tools know the control with this label.
 fn accessible(label: &str, ordinal: Option<usize>) -> String {
     ordinal.map_or_else(
@@ -150,13 +159,17 @@ fn row(
     spec: &ParamSpec,
     value: &mut Value,
     ordinal: Option<usize>,
-    ties: Option<&mut Ties<'_>>,
+    mut ties: Option<&mut Ties<'_>>,
+    check: Check<'_>,
 ) {
-    let mut ties = ties;
+    let mut fields = Vec::new();
     ui.horizontal(|ui| {
         let hint = hint(spec);
         match value {
-            Value::Number(number) => slider(ui, spec, (&spec.label(), ordinal), number),
+            Value::Number(number) => {
+                let check = |x| check(Value::Number(x));
+                fields.push(slider(ui, spec, (&spec.label(), ordinal), number, &check));
+            }
             Value::Rgb(rgb) if spec.is_colour() => {
                 ui.vertical(|ui| {
                     // The fields below reach as far as the reset button: the lock stands beside the name.
@@ -166,13 +179,17 @@ fn row(
                             ties.lock_button(ui, spec, ordinal);
                         }
                     });
-                    ui.horizontal(|ui| colour(ui, spec, rgb, ordinal));
+                    fields = ui
+                        .horizontal(|ui| colour(ui, spec, rgb, ordinal, check))
+                        .inner;
                 });
             }
             Value::Rgb(rgb) => {
+                let now = *rgb;
                 ui.vertical(|ui| {
-                    for (channel, label) in rgb.iter_mut().zip(labels(spec)) {
-                        slider(ui, spec, (&label, ordinal), channel);
+                    for ((index, channel), label) in rgb.iter_mut().enumerate().zip(labels(spec)) {
+                        let check = |x| check(with_channel(now, index, x));
+                        slider(ui, spec, (&label, ordinal), channel, &check).explain(ui);
                     }
                 });
             }
@@ -199,6 +216,17 @@ fn row(
             }
         });
     });
+    for field in fields {
+        field.explain(ui);
+    }
+}
+
+/// The colour with `x` as one of its channels.
+fn with_channel(mut rgb: [f64; 3], index: usize, x: f64) -> Value {
+    if let Some(channel) = rgb.get_mut(index) {
+        *channel = x;
+    }
+    Value::Rgb(rgb)
 }
 
 fn hint(spec: &ParamSpec) -> String {
@@ -221,28 +249,15 @@ fn slider(
     spec: &ParamSpec,
     (label, ordinal): (&str, Option<usize>),
     number: &mut f64,
-) {
-    let [low, high] = spec.soft;
-    let [hard_low, hard_high] = spec.hard;
-    // The slider covers the soft range; a typed number may lie anywhere in the hard one.
-    let widest = low.min(*number)..=high.max(*number);
-    let slider = Slider::from_get_set(widest, |typed| {
-        if let Some(typed) = typed {
-            *number = typed.clamp(hard_low, hard_high);
-        }
-        *number
-    })
-    .logarithmic(spec.scale == Scale::Logarithmic)
-    .clamping(egui::SliderClamping::Never)
-    .max_decimals(4)
-    .suffix(if spec.unit == "degrees" { "°" } else { "" })
-    .text(label);
-    // The slider's text has no tooltip of its own: the whole row shows it.
-    let row = ui.scope(|ui| {
-        let slider = ui.add(slider);
-        name(&slider, label, ordinal);
-    });
-    row.response.on_hover_text(hint(spec));
+    check: &dyn Fn(f64) -> Result<(), String>,
+) -> Shown {
+    let name = accessible(label, ordinal);
+    let shown = Number::new(&name, NumberSpec::of(spec))
+        .logarithmic(spec.scale == Scale::Logarithmic)
+        .check(check)
+        .slider(ui, label, number);
+    // The text has no tooltip of its own: the whole row shows it.
+    shown.on_hover_text(&hint(spec))
 }
 
 /// The labels of a parameter's sliders.
@@ -276,28 +291,36 @@ fn slider_width(ui: &Ui, labels: impl Iterator<Item = String>, can_lock: bool) -
     (ui.available_width() - rest).clamp(theme::SHORTEST_SLIDER, spacing.slider_width)
 }
 
-fn colour(ui: &mut Ui, spec: &ParamSpec, rgb: &mut [f64; 3], ordinal: Option<usize>) {
+fn colour(
+    ui: &mut Ui,
+    spec: &ParamSpec,
+    rgb: &mut [f64; 3],
+    ordinal: Option<usize>,
+    check: Check<'_>,
+) -> Vec<Shown> {
     let mut color = rgb.map(|channel| channel as f32);
     let button = ui
         .color_edit_button_rgb(&mut color)
         .on_hover_text(hint(spec));
     let label = accessible(&spec.label(), ordinal);
     button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ColorWell, true, &label));
+    let number = NumberSpec::of(spec);
     if button.changed() {
-        *rgb = color.map(|channel| f64::from(channel).clamp(spec.hard[0], spec.hard[1]));
+        for (channel, chosen) in rgb.iter_mut().zip(color) {
+            number.put(channel, f64::from(chosen));
+        }
     }
-    for (channel, letter) in rgb.iter_mut().zip(CHANNELS) {
-        let speed = 0.005 * (spec.soft[1] - spec.soft[0]);
-        let field = DragValue::new(channel)
-            .prefix(format!("{letter} "))
-            .range(spec.hard[0]..=spec.hard[1])
-            .speed(speed)
-            .max_decimals(3);
-        let response = ui
-            .add(field)
-            .on_hover_text(format!("{letter}\n{}", hint(spec)));
-        name(&response, &format!("{} {letter}", spec.label()), ordinal);
-    }
+    let now = *rgb;
+    let channels = rgb.iter_mut().zip(CHANNELS).enumerate();
+    let fields = channels.map(|(index, (channel, letter))| {
+        let name = accessible(&format!("{} {letter}", spec.label()), ordinal);
+        let check = |x| check(with_channel(now, index, x));
+        let prefix = format!("{letter} ");
+        let field = Number::new(&name, number).prefix(&prefix).check(&check);
+        let shown = field.field(ui, channel);
+        shown.on_hover_text(&format!("{letter}\n{}", hint(spec)))
+    });
+    fields.collect()
 }
 
 fn choice(ui: &mut Ui, spec: &ParamSpec, word: &mut &'static str, ordinal: Option<usize>) {

@@ -1,7 +1,8 @@
 //! The search of the commands.
 
-use egui::{Align, Button, Context, Id, Key, Modal, Modifiers, Response, ScrollArea, TextEdit, Ui};
+use egui::{Align, Button, Context, Id, Key, Modal, Response, ScrollArea, TextEdit, Ui};
 
+use super::hits::{self, Found, Highlight, Known};
 use crate::ui::app::App;
 use crate::ui::commands::{COMMANDS, Command};
 use crate::ui::theme;
@@ -21,18 +22,24 @@ pub enum Outcome {
 pub struct Search {
     wanted: String,
     /// Which of the commands found Enter runs.
-    index: usize,
-    /// Whether another one is that now, and is to be brought into sight.
-    is_moved: bool,
+    highlight: Highlight,
 }
 
 impl Search {
+    /// A search whose field has the focus from here on.
+    #[must_use]
+    pub fn begin(ctx: &Context) -> Self {
+        ctx.memory_mut(|memory| memory.request_focus(field_id()));
+        Self::default()
+    }
+
     /// The window of the search.
     pub fn show(&mut self, ctx: &Context, app: &App) -> Outcome {
         let modal = Modal::new(Id::unique("search")).show(ctx, |ui| {
             ui.set_width(theme::SEARCH_SIZE.x);
-            self.keys(ui);
+            let rows = hits::take_rows(ui);
             let field = TextEdit::singleline(&mut self.wanted)
+                .id(field_id())
                 .hint_text("Search commands")
                 .desired_width(f32::INFINITY);
             let field = ui.add(field);
@@ -41,21 +48,24 @@ impl Search {
                 field.request_focus();
             }
             if field.changed() {
-                self.index = 0;
-                self.is_moved = true;
+                self.highlight.restart();
             }
             let found = found(&self.wanted);
-            self.index = self.index.min(found.len().saturating_sub(1));
-            if found.is_empty() {
-                ui.weak("No command has these words");
+            self.highlight.go(&found, rows);
+            if matches!(found, Found::Nearest(_)) {
+                ui.weak("No command has these words; the nearest are");
             }
             let is_entered = ui.input(|input| input.key_pressed(Key::Enter));
-            let mut chosen = found.get(self.index).copied().filter(|_| is_entered);
-            let is_moved = std::mem::take(&mut self.is_moved);
+            let (listed, next) = (found.listed(), self.highlight.at());
+            let mut chosen = next
+                .filter(|_| is_entered)
+                .and_then(|at| listed.get(at))
+                .copied();
+            let is_moved = self.highlight.take_moved();
             let area = ScrollArea::vertical().max_height(theme::SEARCH_SIZE.y);
             area.show(ui, |ui| {
-                for (index, command) in found.iter().enumerate() {
-                    let is_next = index == self.index;
+                for (index, command) in listed.iter().enumerate() {
+                    let is_next = next == Some(index);
                     let row = row(ui, app, command, is_next);
                     if is_next && is_moved {
                         row.scroll_to_me(Some(Align::Center));
@@ -73,35 +83,19 @@ impl Search {
             None => Outcome::Open,
         }
     }
-
-    /// Up and Down go through what is found; the field would move its cursor.
-    fn keys(&mut self, ui: &Ui) {
-        let is_pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
-        let before = self.index;
-        if is_pressed(Key::ArrowDown) {
-            self.index += 1;
-        }
-        if is_pressed(Key::ArrowUp) {
-            self.index = self.index.saturating_sub(1);
-        }
-        self.is_moved |= self.index != before;
-    }
 }
 
-/// The commands that have every word of `wanted`.
-fn found(wanted: &str) -> Vec<&'static Command> {
-    let wanted = wanted.to_lowercase();
-    let has_all = |command: &&'static Command| {
-        let text = format!(
-            "{} {} {}",
-            command.group.title(),
-            command.title,
-            command.hint
-        );
-        let text = text.to_lowercase();
-        wanted.split_whitespace().all(|word| text.contains(word))
-    };
-    COMMANDS.into_iter().filter(has_all).collect()
+/// The field's, known before it is shown.
+fn field_id() -> Id {
+    Id::unique("search of the commands")
+}
+
+/// The commands that `wanted` finds; all of them where nothing is wanted.
+fn found(wanted: &str) -> Found<&'static Command> {
+    hits::found(wanted, COMMANDS, |command| Known {
+        names: vec![command.title],
+        texts: vec![command.group.title(), command.hint],
+    })
 }
 
 /// A command that is found.
@@ -127,12 +121,16 @@ mod tests {
     #[test]
     fn all_words_must_be_found() {
         let ids = |wanted: &str| -> Vec<&str> {
-            found(wanted).iter().map(|command| command.id).collect()
+            let found = found(wanted);
+            found.listed().iter().map(|command| command.id).collect()
         };
         assert_eq!(ids("").len(), COMMANDS.len());
         assert_eq!(ids("save"), ["save", "save_as"]);
         assert_eq!(ids("save another"), ["save_as"]);
         assert_eq!(ids("  FILE  text session"), ["copy_session", "paste"]);
-        assert!(ids("xyzzy").is_empty());
+        // The title goes before the hints of commands that stand earlier in the list.
+        assert_eq!(ids("undo")[0], "undo");
+        assert_eq!(ids("sve")[0], "save");
+        assert!(matches!(found("xyzzy"), Found::Nearest(_)));
     }
 }

@@ -1,4 +1,4 @@
-//! The status line: the shares of light, the value under the pointer, the time of the last update.
+//! The status line: the shares of light, the value under the pointer, whether something is being computed.
 
 use egui::{Align, Label, Layout, Ui};
 
@@ -22,13 +22,7 @@ pub fn show(
         shares::show(ui, lobes, palette);
         ui.separator();
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let text = match progress {
-                Progress::Computing => "Computing ...".to_owned(),
-                Progress::Complete(None) => "Update -".to_owned(),
-                Progress::Complete(Some(seconds)) => format!("Update {:.1} ms", 1000.0 * seconds),
-            };
-            ui.label(text)
-                .on_hover_text("Time from the last change to its full result; any change cancels what is being computed");
+            show_progress(ui, progress);
             let note = cursor.map_or_else(
                 || "Point at a view to read its value".to_owned(),
                 |(cursor, value)| draw::cursor_text(cursor, session, value),
@@ -38,4 +32,22 @@ pub fn show(
             });
         });
     });
+}
+
+/// Whether something is being computed; how long the last change took is told only to who points there.
+fn show_progress(ui: &mut Ui, progress: Progress) {
+    let Progress::Complete(last) = progress else {
+        ui.label("Computing…")
+            .on_hover_text("Any change cancels what is being computed");
+        return;
+    };
+    let took = last.map_or_else(String::new, |seconds| {
+        format!(
+            ": the last change took {:.1} ms to its full result",
+            1000.0 * seconds
+        )
+    });
+    let mark = ui.weak("✔").on_hover_text(format!("Up to date{took}"));
+    ui.ctx()
+        .accesskit_node_builder(mark.id, |node| node.set_value("Up to date"));
 }

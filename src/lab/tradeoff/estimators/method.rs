@@ -2,7 +2,7 @@
 
 use super::sequence::Numbers;
 use crate::bxdf::Bxdf;
-use crate::bxdf::batch::{Job, Path};
+use crate::bxdf::batch::{Columns, Job, Path};
 use crate::bxdf::math::{Vec3, warp};
 use crate::bxdf::optics::spectrum::luminance;
 
@@ -30,25 +30,17 @@ pub enum Method {
     Combined,
 }
 
-/// Arrays of a batch.
-#[derive(Default)]
-struct Drawn {
-    wi: [Vec<f64>; 3],
-    f: [Vec<f64>; 3],
-    pdf: Vec<f64>,
-    delta: Vec<f64>,
-}
+/// What is drawn: the three components of wi, the three channels of f, the density, and whether it is a delta.
+struct Drawn(Columns<f64, 8>);
 
 impl Drawn {
     fn new(n: usize) -> Self {
-        let numbers = || vec![0.0; n];
-        let three = || [numbers(), numbers(), numbers()];
-        Self {
-            wi: three(),
-            f: three(),
-            pdf: numbers(),
-            delta: numbers(),
-        }
+        Self(Columns::filled(0.0, n))
+    }
+
+    /// The cosines of the directions drawn, with their densities.
+    fn cosines_and_densities(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.0.rows().map(|[_, _, z, .., pdf, _]| (z, pdf))
     }
 
     /// The luminance of f |cos| over each element of `densities`; 0 where that is 0 and for deltas.
@@ -56,17 +48,10 @@ impl Drawn {
         &'a self,
         densities: impl Iterator<Item = f64> + 'a,
     ) -> impl Iterator<Item = f64> + 'a {
-        let [r, g, b] = &self.f;
-        let f = r
-            .iter()
-            .zip(g)
-            .zip(b)
-            .map(|((r, g), b)| luminance([*r, *g, *b]));
-        let cosines = self.wi[2].iter().zip(&self.delta);
-        let terms = f.zip(cosines).zip(densities);
-        terms.map(|((f, (z, delta)), density)| {
-            if density > 0.0 && *delta == 0.0 {
-                f * z.abs() / density
+        let terms = self.0.rows().zip(densities);
+        terms.map(|([_, _, z, r, g, b, _, delta], density)| {
+            if density > 0.0 && delta == 0.0 {
+                luminance([r, g, b]) * z.abs() / density
             } else {
                 0.0
             }
@@ -109,7 +94,8 @@ impl Method {
     pub fn terms(self, surface: &Surface<'_>, numbers: &Numbers, others: &Numbers) -> Vec<f64> {
         let over_hemispheres = |density: fn(f64) -> f64, warp: fn([f64; 2]) -> Vec3<f64>| {
             let drawn = surface.by_warp(numbers, warp, false);
-            let densities = drawn.wi[2].iter().map(|z| surface.spread(density(z.abs())));
+            let cosines = drawn.cosines_and_densities();
+            let densities = cosines.map(|(z, _)| surface.spread(density(z.abs())));
             drawn.over(densities).collect()
         };
         match self {
@@ -119,20 +105,20 @@ impl Method {
             Self::Cosine => over_hemispheres(warp::cosine_hemisphere_pdf, warp::cosine_hemisphere),
             Self::Importance => {
                 let drawn = surface.by_sampler(numbers);
-                drawn.over(drawn.pdf.iter().copied()).collect()
+                let densities = drawn.cosines_and_densities().map(|(_, pdf)| pdf);
+                drawn.over(densities).collect()
             }
             Self::Combined => {
                 let cosine = surface.by_warp(numbers, warp::cosine_hemisphere, true);
                 let own = surface.by_sampler(others);
                 let both = |drawn: &Drawn| {
-                    let cosines = drawn.wi[2].iter().zip(&drawn.pdf);
                     let [own_side, other_side] = surface.sides;
-                    let densities = cosines.map(|(z, pdf)| {
-                        let is_crossing = (*z > 0.0) != (surface.wo.z > 0.0);
+                    let densities = drawn.cosines_and_densities().map(|(z, pdf)| {
+                        let is_crossing = (z > 0.0) != (surface.wo.z > 0.0);
                         if if is_crossing { other_side } else { own_side } {
                             pdf + surface.spread(warp::cosine_hemisphere_pdf(z.abs()))
                         } else {
-                            *pdf
+                            pdf
                         }
                     });
                     drawn.over(densities).collect::<Vec<_>>()
@@ -156,16 +142,14 @@ impl Surface<'_> {
 
     /// Directions by `warp`, with f, and with the sampler's density if `with_pdf`.
     fn by_warp(&self, numbers: &Numbers, warp: fn([f64; 2]) -> Vec3<f64>, with_pdf: bool) -> Drawn {
-        let n = numbers.uc.len();
-        let mut drawn = Drawn::new(n);
-        let [x, y, z] = &mut drawn.wi;
-        let components = x.iter_mut().zip(y).zip(z);
-        let [u, v] = &numbers.u;
-        let numbers = numbers.uc.iter().zip(u).zip(v);
-        for (((x, y), z), ((uc, u), v)) in components.zip(numbers) {
-            let w = warp([*u, *v]);
+        let held = self.held(numbers.len());
+        let mut drawn = Drawn::new(numbers.len());
+        let [x, y, z, r, g, b, pdf, _] = drawn.0.slices_mut();
+        let components = x.iter_mut().zip(&mut *y).zip(&mut *z);
+        for (((x, y), z), [uc, u, v]) in components.zip(numbers.rows()) {
+            let w = warp([u, v]);
             let is_own_side = match self.sides {
-                [true, true] => *uc < 0.5,
+                [true, true] => uc < 0.5,
                 [own, _] => own,
             };
             let sign = if is_own_side == (self.wo.z > 0.0) {
@@ -175,17 +159,9 @@ impl Surface<'_> {
             };
             (*x, *y, *z) = (w.x, w.y, sign * w.z);
         }
-        let held = self.held(n);
-        let wo = held.each_ref().map(Vec::as_slice);
-        let wi = drawn.wi.each_ref().map(Vec::as_slice);
-        let f = drawn.f.each_mut().map(Vec::as_mut_slice);
+        let (wo, wi, f) = (held.slices(), [&*x, &*y, &*z], [r, g, b]);
         let job = if with_pdf {
-            Job::FPdf {
-                wo,
-                wi,
-                f,
-                pdf: &mut drawn.pdf,
-            }
+            Job::FPdf { wo, wi, f, pdf }
         } else {
             Job::F { wo, wi, f }
         };
@@ -195,39 +171,41 @@ impl Surface<'_> {
 
     /// Samples of the surface's own.
     fn by_sampler(&self, numbers: &Numbers) -> Drawn {
-        let n = numbers.uc.len();
-        let mut drawn = Drawn::new(n);
-        let held = self.held(n);
-        let [u, v] = &numbers.u;
+        let held = self.held(numbers.len());
+        let mut drawn = Drawn::new(numbers.len());
+        let [x, y, z, r, g, b, pdf, delta] = drawn.0.slices_mut();
+        let [uc, u, v] = numbers.slices();
         let job = Job::Sample {
-            wo: held.each_ref().map(Vec::as_slice),
-            uc: &numbers.uc,
+            wo: held.slices(),
+            uc,
             u: [u, v],
-            wi: drawn.wi.each_mut().map(Vec::as_mut_slice),
-            f: drawn.f.each_mut().map(Vec::as_mut_slice),
-            pdf: &mut drawn.pdf,
-            delta: &mut drawn.delta,
+            wi: [x, y, z],
+            f: [r, g, b],
+            pdf,
+            delta,
         };
         self.bxdf.batch(Path::Dispatched, job);
         drawn
     }
 
-    fn held(&self, n: usize) -> [Vec<f64>; 3] {
-        [self.wo.x, self.wo.y, self.wo.z].map(|x| vec![x; n])
+    fn held(&self, n: usize) -> Columns<f64, 3> {
+        Columns::repeated([self.wo.x, self.wo.y, self.wo.z], n)
     }
 
     /// f |cos| at the directions `wi`, as luminance.
     #[must_use]
-    pub fn values(&self, wi: &[Vec<f64>; 3]) -> Vec<f64> {
-        let mut drawn = Drawn::new(wi[0].len());
-        drawn.wi.clone_from(wi);
-        let held = self.held(wi[0].len());
+    pub fn values(&self, wi: &Columns<f64, 3>) -> Vec<f64> {
+        let held = self.held(wi.len());
+        let mut values = Columns::filled(0.0, wi.len());
         let job = Job::F {
-            wo: held.each_ref().map(Vec::as_slice),
-            wi: wi.each_ref().map(Vec::as_slice),
-            f: drawn.f.each_mut().map(Vec::as_mut_slice),
+            wo: held.slices(),
+            wi: wi.slices(),
+            f: values.slices_mut(),
         };
         self.bxdf.batch(Path::Dispatched, job);
-        drawn.over(std::iter::repeat(1.0)).collect()
+        let values = values.rows().zip(wi.rows());
+        values
+            .map(|(f, [_, _, z])| luminance(f) * z.abs())
+            .collect()
     }
 }

@@ -11,6 +11,7 @@ use super::{Bench, CostUnit, Family, Point, Stop, Study};
 use crate::analysis::quadrature::Integral;
 use crate::analysis::{HeldLobe, Hold};
 use crate::bxdf::Side;
+use crate::bxdf::batch::Columns;
 use crate::bxdf::math::quadrature::gauss_legendre;
 use crate::bxdf::optics::spectrum::luminance;
 
@@ -163,7 +164,7 @@ impl Sampled {
         let others = if self.method == Method::Combined {
             self.sequence.numbers(log_terms, 2 * seed + 1)
         } else {
-            sequence::Numbers::default()
+            sequence::Numbers::from_rows([])
         };
         self.method.terms(surface, &numbers, &others)
     }
@@ -240,19 +241,19 @@ fn product_rule(surface: &Surface<'_>, truth: &Truth, bench: &mut Bench<'_>) -> 
     for log_nodes in NODES {
         bench.wanted()?;
         let rule = gauss_legendre(1 << log_nodes);
-        let (mut wi, mut weights) = ([(); 3].map(|()| Vec::new()), Vec::new());
+        let (mut wi, mut weights) = (Vec::new(), Vec::new());
         for sign in &signs {
             for (x, weight) in &rule {
                 let mu = 0.5 * (1.0 + x);
                 let radius = (0.5 * (1.0 - x) * (1.0 + mu)).sqrt();
                 for (y, other) in &rule {
                     let (sin, cos) = (0.5 * TAU * (1.0 + y)).sin_cos();
-                    let w = [radius * cos, radius * sin, sign * mu];
-                    wi.iter_mut().zip(w).for_each(|(axis, x)| axis.push(x));
+                    wi.push([radius * cos, radius * sin, sign * mu]);
                     weights.push(0.25 * TAU * weight * other);
                 }
             }
         }
+        let wi = Columns::from_rows(wi);
         let sum = || {
             let values = surface.values(&wi);
             values

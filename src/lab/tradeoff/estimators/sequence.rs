@@ -3,6 +3,7 @@
 use sobol_burley::sample;
 
 use crate::analysis::statistics::Random;
+use crate::bxdf::batch::Columns;
 
 /// How the numbers of the samples are spread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,22 +16,9 @@ pub enum Sequence {
     Sobol,
 }
 
-/// The numbers of some samples, each in [0, 1).
-#[derive(Clone, Debug, Default)]
-pub struct Numbers {
-    /// What chooses among lobes or sides.
-    pub uc: Vec<f64>,
-    /// What chooses directions.
-    pub u: [Vec<f64>; 2],
-}
-
-impl Numbers {
-    fn push(&mut self, [uc, u, v]: [f64; 3]) {
-        self.uc.push(uc);
-        self.u[0].push(u);
-        self.u[1].push(v);
-    }
-}
+/// The numbers of some samples, each in [0, 1): uc, which chooses among lobes or sides, and the two of u, which choose
+/// directions.
+pub type Numbers = Columns<f64, 3>;
 
 impl Sequence {
     /// All of them.
@@ -66,32 +54,32 @@ impl Sequence {
     #[must_use]
     pub fn numbers(self, log_n: u32, seed: u32) -> Numbers {
         let n = 1_u32 << log_n;
-        let mut numbers = Numbers::default();
-        let mut random = Random::new(u64::from(seed) << 32 | u64::from(log_n));
         match self {
             Self::Plain => {
                 let mut random = Random::new(u64::from(seed));
-                (0..n).for_each(|_| numbers.push([(); 3].map(|()| random.unit())));
+                Numbers::from_rows((0..n).map(|_| [(); 3].map(|()| random.unit())))
             }
             Self::Sobol => {
                 let number = |index, axis| f64::from(sample(index, axis, seed));
-                (0..n).for_each(|index| numbers.push([0, 1, 2].map(|axis| number(index, axis))));
+                Numbers::from_rows((0..n).map(|index| [0, 1, 2].map(|axis| number(index, axis))))
             }
             Self::Stratified => {
+                let mut random = Random::new(u64::from(seed) << 32 | u64::from(log_n));
                 let columns = 1_u32 << (log_n / 2);
                 let rows = n / columns;
-                for index in 0..n {
+                let mut numbers = Numbers::from_rows((0..n).map(|index| {
                     let [column, row] = [index % columns, index / columns].map(f64::from);
                     let stratum = f64::from(index) / f64::from(n);
                     let uc = stratum + random.unit() / f64::from(n);
                     let u = (column + random.unit()) / f64::from(columns);
                     let v = (row + random.unit()) / f64::from(rows);
-                    numbers.push([uc, u, v].map(|x| x.min(BELOW_ONE)));
-                }
-                shuffle(&mut numbers.uc, &mut random);
+                    [uc, u, v].map(|x| x.min(BELOW_ONE))
+                }));
+                let [uc, _, _] = numbers.slices_mut();
+                shuffle(uc, &mut random);
+                numbers
             }
         }
-        numbers
     }
 }
 
@@ -112,11 +100,11 @@ mod tests {
 
     #[test]
     fn each_cell_and_each_stratum_has_one() {
-        let Numbers { mut uc, u: [u, v] } = Sequence::Stratified.numbers(5, 3);
-        let mut cells: Vec<_> = u
-            .iter()
-            .zip(&v)
-            .map(|(u, v)| ((4.0 * u) as u32, (8.0 * v) as u32))
+        let numbers = Sequence::Stratified.numbers(5, 3);
+        let mut uc = numbers.slices()[0].to_vec();
+        let mut cells: Vec<_> = numbers
+            .rows()
+            .map(|[_, u, v]| ((4.0 * u) as u32, (8.0 * v) as u32))
             .collect();
         cells.sort_unstable();
         cells.dedup();
@@ -130,11 +118,11 @@ mod tests {
     fn prefixes_and_seeds() {
         for sequence in Sequence::ALL {
             let (short, long) = (sequence.numbers(6, 1), sequence.numbers(8, 1));
-            let is_prefix = long.u[0].starts_with(&short.u[0]) && long.uc.starts_with(&short.uc);
+            let is_prefix = short.rows().eq(long.rows().take(64));
             assert_eq!(is_prefix, sequence.has_prefixes(), "{sequence:?}");
-            assert_eq!(sequence.numbers(6, 1).u, short.u);
-            assert_ne!(sequence.numbers(6, 2).u, short.u);
-            let mean = long.u[1].iter().sum::<f64>() / 256.0;
+            assert!(sequence.numbers(6, 1).rows().eq(short.rows()));
+            assert!(sequence.numbers(6, 2).rows().ne(short.rows()));
+            let mean = long.rows().map(|[_, _, v]| v).sum::<f64>() / 256.0;
             // Three standard deviations of the plain one: .289 / 16 each.
             assert!((mean - 0.5).abs() < 0.055, "{sequence:?}: {mean}");
         }

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use egui::{Rect, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
 use super::{Cursor, ViewContext, ViewSpec};
@@ -11,8 +11,8 @@ use crate::ui::export::table;
 use crate::ui::scene3d::{self, HomeView, OrbitCamera, SceneView};
 use crate::ui::session::Session;
 use crate::ui::theme::{Dash, rgba};
-use crate::ui::widgets::draw;
 use crate::ui::widgets::legend::{self, Sample};
+use crate::ui::widgets::{draw, handle, reset};
 use sketch::Sketch;
 use surface::Lobes;
 
@@ -26,6 +26,7 @@ pub(super) use scene::DrawingMemo;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "lobe3d",
     title: "3D lobe",
+    is_of_held: |_| true,
     what_you_see: "The lobe over all directions: the distance from the centre is the value f; \
         drag to orbit",
     show,
@@ -80,6 +81,11 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     }
     if !response.hovered() {
         mark_cursor(ui, cx, rect, &camera);
+    }
+    // The camera is part of the session, which pictures show too: nobody can click in them.
+    let is_moved = !cx.session.camera.is_home() && !cx.state.is_picture;
+    if reset::button(ui, rect, Align2::LEFT_TOP, is_moved) {
+        cx.session.camera = OrbitCamera::default();
     }
 }
 
@@ -151,27 +157,19 @@ fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
 
 /// The handle of the held direction on the dome. Returns whether it is being dragged.
 fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, camera: &OrbitCamera) -> bool {
-    let Some(tip) = camera
-        .project(cx.session.held().as_vec3(), rect)
-        .filter(|tip| rect.contains(*tip))
-    else {
+    let Some(tip) = camera.project(cx.session.held().as_vec3(), rect) else {
         return false;
     };
     let color = cx.palette.held(cx.session.hold);
-    let handle = draw::handle(
-        ui,
-        tip,
-        ui.scope_id().with("held"),
-        "Held direction in the 3D lobe",
-        color,
-        cx.palette,
-    );
-    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
+    let name = "Held direction in the 3D lobe";
+    let named = (ui.scope_id().with("held"), name, rect);
+    let handle = handle::show(ui, tip, named, color, cx.palette);
+    if let Some(place) = handle.dragged_to() {
         cx.session
-            .set_held(camera.ray(pointer, rect).drag_on_sphere(1.0).as_dvec3());
+            .set_held(camera.ray(place, rect).drag_on_sphere(1.0).as_dvec3());
         ui.ctx().request_repaint();
     }
-    handle.dragged()
+    handle.is_dragged()
 }
 
 /// The direction and value under the pointer: on the lobe where the pointer meets it, else on the dome.

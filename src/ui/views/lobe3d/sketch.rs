@@ -13,7 +13,7 @@ use crate::ui::format;
 use crate::ui::scene3d::{OrbitCamera, Ray};
 use crate::ui::session::Session;
 use crate::ui::theme::{self, Palette};
-use crate::ui::widgets::draw;
+use crate::ui::widgets::{deltas, draw};
 
 /// Spacing of the labels of the degree grid.
 const GRID_STEP_DEG: f64 = 30.0;
@@ -83,7 +83,7 @@ impl Sketch<'_> {
         for (color, arrow) in lobes.arrows() {
             let share = Channel::Luminance.of(arrow.flux);
             let place = (arrow.direction * share.max(0.3) * 0.62).as_vec3();
-            self.name(place, &format!("delta {share:.3}"), color);
+            self.name(place, &deltas::label(share), color);
         }
         for (title, color, tip) in lobes.names() {
             let title = draw::clipped(title, LONGEST_TITLE);

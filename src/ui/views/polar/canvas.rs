@@ -8,11 +8,10 @@ use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
 use super::radial::{Radial, at};
 use crate::analysis::Channel;
-use crate::analysis::lobe::Arrow;
 use crate::analysis::polar::{self, Point, Section};
 use crate::ui::session::{Curves, Session, Slot};
 use crate::ui::theme::Dash;
-use crate::ui::widgets::{chart, draw};
+use crate::ui::widgets::{chart, deltas, draw};
 use crate::ui::{format, theme};
 
 /// Radius of the angle labels.
@@ -29,6 +28,8 @@ const RAY_STEP_DEG: i32 = 15;
 fn line<'a>(points: impl IntoIterator<Item = [f64; 2]>, stroke: impl Into<Stroke>) -> Line<'a> {
     Line::new("", PlotPoints::from_iter(points))
         .stroke(stroke)
+        // A line everywhere: as a band a ring is thin where it is steep, and no line in a drawing.
+        .allow_band(false)
         .allow_hover(false)
 }
 
@@ -60,8 +61,6 @@ pub(super) struct Plotted {
     pub(super) slot: Slot,
     pub(super) is_selected: bool,
     pub(super) section: Arc<Section>,
-    /// Its deltas in the section.
-    pub(super) arrows: Vec<Arrow>,
 }
 
 fn arcs(section: &Section) -> impl Iterator<Item = &Vec<Point>> {
@@ -297,22 +296,25 @@ impl Canvas<'_> {
         }
     }
 
-    /// Its deltas: an arrow of the share of the flux as its length, 1 at the unit circle.
+    /// Its deltas: an arrow of the share of the flux as its length, 1 at the unit circle; broken where it lies outside the
+    /// section.
     pub(super) fn draw_arrows(
         &self,
-        session: &Session,
         plotted: &Plotted,
         taken: &mut Vec<Rect>,
         palette: &theme::Palette,
     ) {
         let painter = self.painter();
         let color = palette.material(plotted.slot);
-        let azimuth = session.section_azimuth_deg().to_radians();
-        for arrow in &plotted.arrows {
-            let share = Channel::Luminance.of(arrow.flux);
-            let angle = polar::signed_angle(arrow.direction, azimuth);
-            let (from, to) = (self.position(0.0, 0.0), self.position(share, angle));
-            draw::arrow(&painter, from, to, color);
+        for stem in &plotted.section.stems {
+            let (share, angle) = (stem.share(), stem.x_deg.to_radians());
+            let ends = [self.position(0.0, 0.0), self.position(share, angle)];
+            let dash = if stem.is_inside {
+                Dash::Solid
+            } else {
+                Dash::Dashed
+            };
+            deltas::stem(&painter, ends, color, dash);
             // Beside a long arrow, beyond the tip of a short one: either way clear of the horizon's numbers.
             let place = if share > 0.4 {
                 self.position(0.45 * share, angle)
@@ -325,20 +327,9 @@ impl Canvas<'_> {
             } else {
                 Align2::RIGHT_CENTER
             };
-            let text = format!("delta {share:.3}");
-            let font = draw::body_font(self.ui);
-            let galley = painter.layout_no_wrap(text.clone(), font.clone(), color);
-            let rect = anchor.anchor_size(place + outwards, galley.size() + vec2(6.0, 2.0));
-            let rect = draw::free_place(taken, rect);
-            draw::haloed_text(
-                &painter,
-                anchor.pos_in_rect(&rect),
-                anchor,
-                &text,
-                font,
-                color,
-                palette,
-            );
+            let text = deltas::label(share);
+            let place = (place + outwards, anchor);
+            deltas::write(self.ui, &painter, taken, place, &text, (color, palette));
         }
     }
 }

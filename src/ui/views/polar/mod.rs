@@ -1,16 +1,15 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
-use egui::{Ui, vec2};
+use egui::{IdSalt, Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
-use glam::DVec3;
 
 use super::{Cursor, ViewContext, ViewSpec};
-use crate::analysis::polar;
+use crate::analysis::{deltas, polar};
 use crate::ui::export::table;
-use crate::ui::session::{MaterialEntry, Session, wrapped_deg};
+use crate::ui::session::{MaterialEntry, wrapped_deg};
 use crate::ui::theme::Dash;
-use crate::ui::widgets::draw;
 use crate::ui::widgets::legend::{self, Sample};
+use crate::ui::widgets::{draw, handle, reset};
 use canvas::{Canvas, Plotted};
 use radial::{Radial, at};
 
@@ -21,6 +20,7 @@ mod radial;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "polar",
     title: "Polar plot",
+    is_of_held: |_| true,
     what_you_see: "A section of the lobe through the normal n: the length of a ray is the \
         value f in its direction",
     show,
@@ -33,20 +33,23 @@ const SIDE_ROOM: f64 = 0.4;
 const TOP_ROOM: f64 = 0.27;
 /// Below the horizon, where nothing is drawn but the labels of the scale.
 const LOWER_ROOM: f64 = 0.16;
+/// How far the plot's part of the plane may be from what it is at first, as a share of its width, by rounding to pixels alone.
+const WINDOW_SLACK: f64 = 0.005;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
-/// A delta whose azimuth is within this of the section is drawn in it.
-const IN_PLANE: f64 = 0.02;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     let plotted = plotted(cx);
-    let has_deltas = plotted.iter().any(|one| !one.arrows.is_empty());
+    let has_deltas = plotted.iter().any(|one| !one.section.stems.is_empty());
     let sections = plotted.iter().map(|one| &*one.section);
     let radial = Radial::of(cx.session, sections, has_deltas);
     let has_lower = cx.state.shows_lower_half(cx.session);
     let window = window(ui.available_size(), has_lower);
-    let plot = Plot::new(("polar", has_lower, ui.available_size().round().to_string()))
+    let salt = ("polar", has_lower, ui.available_size().round().to_string());
+    let id = ui.make_persistent_id(IdSalt::new(&salt));
+    let plot = Plot::new(salt)
+        .id(id)
         .data_aspect(1.0)
         .show_axes(false)
         .show_grid(false)
@@ -83,7 +86,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     canvas.name_curves(cx.session, &palette);
     let mut taken = Vec::new();
     for one in &plotted {
-        canvas.draw_arrows(cx.session, one, &mut taken, &palette);
+        canvas.draw_arrows(one, &mut taken, &palette);
     }
     if let Some(note) = note(cx, &plotted) {
         canvas.note(note, &palette);
@@ -98,6 +101,18 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     if !response.response.hovered() {
         mark_cursor(ui, cx, &transform);
     }
+    let is_moved = !is_near(transform.bounds(), &window);
+    reset::of_plot(ui, id, *transform.frame(), is_moved);
+}
+
+/// Whether the plot shows `window`, but for what the rounding of its frame to pixels makes of it.
+fn is_near(bounds: &PlotBounds, window: &PlotBounds) -> bool {
+    let ends = |bounds: &PlotBounds| [bounds.min(), bounds.max()];
+    let slack = WINDOW_SLACK * window.width();
+    let pairs = ends(bounds).into_iter().zip(ends(window));
+    pairs
+        .flat_map(|(one, other)| one.into_iter().zip(other))
+        .all(|(one, other)| (one - other).abs() <= slack)
 }
 
 /// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
@@ -109,7 +124,7 @@ fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, transform: &PlotTransform) {
     let angle = polar::signed_angle(cursor.direction, azimuth);
     let ends = [[0.0, 0.0], at(1.0, angle)]
         .map(|[x, y]| transform.position_from_point(&PlotPoint::new(x, y)));
-    let dash = if is_in_section(cx.session, cursor.direction) {
+    let dash = if deltas::is_in_section(cursor.direction, azimuth) {
         Dash::Solid
     } else {
         Dash::Dashed
@@ -121,17 +136,10 @@ fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, transform: &PlotTransform) {
 fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let selected = session.materials.selected().id();
-    let plot = |entry: &MaterialEntry| {
-        let all = data.arrows(session, entry);
-        let in_section = all
-            .iter()
-            .filter(|arrow| is_in_section(session, arrow.direction));
-        Plotted {
-            slot: entry.slot(),
-            is_selected: entry.id() == selected,
-            section: data.ask(session, entry, session.section_request()),
-            arrows: in_section.copied().collect(),
-        }
+    let plot = |entry: &MaterialEntry| Plotted {
+        slot: entry.slot(),
+        is_selected: entry.id() == selected,
+        section: data.ask(session, entry, session.section_request()),
     };
     let mut plotted: Vec<Plotted> = session.materials.shown().map(plot).collect();
     plotted.sort_by_key(|one| one.is_selected);
@@ -139,21 +147,19 @@ fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
 }
 
 /// Why there is less to see than one might expect.
-fn note(cx: &mut ViewContext<'_>, plotted: &[Plotted]) -> Option<&'static str> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
-    let is_empty = plotted.iter().all(|one| {
-        one.section.upper.is_empty() && one.section.lower.is_empty() && one.arrows.is_empty()
-    });
-    let mut shown = session.materials.shown();
+fn note(cx: &ViewContext<'_>, plotted: &[Plotted]) -> Option<&'static str> {
+    let session = &*cx.session;
+    let is_empty = |one: &Plotted| one.section.upper.is_empty() && one.section.lower.is_empty();
+    let mut stems = plotted.iter().flat_map(|one| &one.section.stems);
+    let is_empty = plotted.iter().all(is_empty) && stems.clone().next().is_none();
+    let has_outside = stems.any(|stem| !stem.is_inside);
     if plotted.is_empty() {
         Some("Every material is hidden")
     } else if session.held().z == 0.0 {
         Some("In the surface plane a direction carries no light")
-    } else if is_empty && shown.any(|entry| !data.arrows(session, entry).is_empty()) {
-        Some("The deltas lie outside this section")
     } else if is_empty {
         Some("No light leaves: total internal reflection, or all is absorbed")
-    } else if !session.section_holds_held() {
+    } else if has_outside || !session.section_holds_held() {
         Some("Dashed: outside this section, drawn at its θ")
     } else if session.curves != session.shown_curves() {
         Some("Luminance: R, G and B are drawn where one material is shown")
@@ -176,40 +182,32 @@ fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
     )
 }
 
-fn is_in_section(session: &Session, w: DVec3) -> bool {
-    let (sin, cos) = session.section_azimuth_deg().to_radians().sin_cos();
-    (w.y * cos - w.x * sin).abs() < IN_PLANE
-}
-
 /// The handle of the held direction. Returns whether it is being dragged.
 fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bool {
     let azimuth = cx.session.section_azimuth_deg().to_radians();
     let angle = polar::signed_angle(cx.session.held(), azimuth);
     let [x, y] = at(1.0, angle);
     let tip = transform.position_from_point(&PlotPoint::new(x, y));
-    let handle = draw::handle(
-        ui,
-        tip,
-        ui.scope_id().with("held"),
-        "Held direction in the polar plot",
-        cx.palette.held(cx.session.hold),
-        cx.palette,
-    );
-    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
-        let place = transform.value_from_position(pointer);
+    let name = "Held direction in the polar plot";
+    let named = (ui.scope_id().with("held"), name, *transform.frame());
+    let color = cx.palette.held(cx.session.hold);
+    let handle = handle::show(ui, tip, named, color, cx.palette);
+    if let Some(place) = handle.dragged_to() {
+        let place = transform.value_from_position(place);
         let dragged_to = place.x.atan2(place.y);
         if cx.session.section_holds_held() {
             cx.session.set_held(polar::direction(dragged_to, azimuth));
         } else {
             // Outside the section only theta is the pointer's, and the side of n on which it is drawn.
-            cx.session.theta_deg = (dragged_to.abs().to_degrees() * 10.0).round() / 10.0;
+            let theta_deg = (dragged_to.abs().to_degrees() * 10.0).round() / 10.0;
+            cx.session.set_theta_deg(theta_deg);
             if (dragged_to < 0.0) != (angle < 0.0) {
                 cx.session.phi_deg = wrapped_deg(cx.session.phi_deg + 180.0);
             }
         }
         ui.ctx().request_repaint();
     }
-    handle.dragged()
+    handle.is_dragged()
 }
 
 /// The direction and value under the pointer.

@@ -105,8 +105,8 @@ mod tests {
         };
         let section = |f: f64| Section {
             upper: vec![point(f)],
-            lower: Vec::new(),
             peak: f,
+            ..Section::default()
         };
         let mut session = Session::default();
         for peak in [0.01, 0.2546, 1.0, 3.7e6] {

@@ -2,13 +2,14 @@
 
 use egui::{Grid, RichText, ScrollArea, Ui};
 
-use super::super::ViewContext;
+use super::super::{self as views, ViewContext};
 use super::{color_of, studies};
+use crate::analysis::deltas;
 use crate::ui::format;
 use crate::ui::theme::{self, Dash};
-use crate::ui::widgets::chart::{Axis, Band, Chart, Series};
-use crate::ui::widgets::draw;
+use crate::ui::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::ui::widgets::legend::{self, Sample};
+use crate::ui::widgets::{deltas as labels, draw};
 
 /// The density and f cos over its integral, in the section.
 pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
@@ -45,7 +46,8 @@ pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         }));
     }
     series.retain(|one| one.lines.iter().any(|line| !line.is_empty()));
-    if series.is_empty() {
+    let stems = delta_stems(cx);
+    if series.is_empty() && stems.is_empty() {
         draw::centred_note(ui, "f is 0 all over this section");
         return;
     }
@@ -53,13 +55,41 @@ pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let (highest, reach) = values.fold((0.0_f64, 90.0_f64), |(y, x), point| {
         (y.max(point[1]), x.max(point[0].abs()))
     });
+    let reach = stems.iter().map(|stem| stem.at.abs()).fold(reach, f64::max);
     let reach = if reach > 90.5 { 180.0 } else { 90.0 };
     let x = Axis::degrees("θ of the direction drawn (degrees)", [-reach, reach]);
-    let y = Axis::of_values("density (1/sr)", [0.0, highest], None);
+    let y = if highest > 0.0 {
+        Axis::of_values("density (1/sr)", [0.0, highest], None)
+    } else {
+        Axis::of_values("probability", [0.0, 1.0], None)
+    };
     let mut chart = Chart::of("Densities", [x, y], series);
+    chart.stems = stems;
     chart.marks = super::super::section_marks(cx.session, cx.palette);
     chart.has_names = true;
     read(ui, cx, &chart, "θ ");
+}
+
+/// The deltas of the section, as high as the chance that a sample is theirs.
+fn delta_stems(cx: &mut ViewContext<'_>) -> Vec<chart::Stem> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let phi = session.sampling_request().phi;
+    let mut stems = Vec::new();
+    for entry in session.materials.shown() {
+        let arrows = data.arrows(session, entry);
+        let (title, color) = (
+            session.materials.title(entry),
+            cx.palette.material(entry.slot()),
+        );
+        stems.extend(deltas::chosen_in_section(&arrows, phi).iter().map(|stem| {
+            let chance = stem.share();
+            chart::Stem {
+                name: format!("delta, probability {}", labels::share(chance)),
+                ..views::chart_stem(stem, &title, color, views::OUTSIDE_SECTION)
+            }
+        }));
+    }
+    stems
 }
 
 /// What samples weigh, on a logarithmic axis.

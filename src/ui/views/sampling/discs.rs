@@ -10,7 +10,7 @@ use super::super::ViewContext;
 use super::color_of;
 use crate::analysis::hemisphere::Projection;
 use crate::analysis::raster::Raster;
-use crate::analysis::sampling::{Cell as Bin, Histogram, Warp, WarpRequest};
+use crate::analysis::sampling::{Cell as Bin, Histogram, Warp};
 use crate::bxdf::math::frame;
 use crate::ui::format;
 use crate::ui::scene3d::OrbitCamera;
@@ -24,9 +24,6 @@ const DISC: Projection = Projection::EqualArea;
 
 /// Room for labels around a disc, in points.
 const LABELS: f32 = 14.0;
-
-/// Cells of the grid of random numbers, along either side.
-const WARP_CELLS: usize = 16;
 
 /// The most samples drawn as dots, and the most for each square point of the picture: more are a blot.
 const MOST_DOTS: usize = 4096;
@@ -194,7 +191,7 @@ pub(super) fn draw_warp(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry: E
     let Some(found) = session.materials.get(entry) else {
         return;
     };
-    let warps = data.ask(session, found, WarpRequest { cells: WARP_CELLS });
+    let warps = data.ask(session, found, session.warp_request());
     let is_only = warps.len() == 1;
     for Warp { lobe, lines } in warps.iter() {
         let color = if is_only {

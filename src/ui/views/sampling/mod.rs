@@ -7,7 +7,11 @@ use egui::{Color32, Ui};
 use super::{ViewContext, ViewSpec};
 use crate::analysis::sampling::Study;
 use crate::ui::export::table;
-use crate::ui::session::{EntryId, MaterialEntry, SAMPLE_COUNTS_LOG2, SamplingPlot, Session};
+use crate::ui::number::NumberSpec;
+use crate::ui::session::{
+    EntryId, MaterialEntry, SAMPLES_LOG2, SEED, SamplingOptions, SamplingPlot, Session,
+};
+use crate::ui::widgets::number::Number;
 use crate::ui::widgets::{choice, draw};
 
 mod charts;
@@ -17,6 +21,7 @@ mod discs;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "sampling",
     title: "Sampling",
+    is_of_held: |_| true,
     what_you_see: "Where the sampler sends directions for the held one: good samplers follow \
         f cos and weigh all samples alike",
     show,
@@ -53,19 +58,13 @@ fn controls(ui: &mut Ui, session: &mut Session) {
         );
         let hint = "How many samples are drawn: a power of 2";
         ui.label("Samples").on_hover_text(hint);
-        let slider = egui::Slider::new(&mut options.count_log2, SAMPLE_COUNTS_LOG2)
-            .custom_formatter(|log2, _| format!("{}", 1_u32 << log2 as u32))
-            .custom_parser(|text| text.trim().parse::<f64>().ok().map(f64::log2));
-        let response = ui.add(slider).on_hover_text(hint);
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label("Samples"));
+        samples(ui, options, hint);
         let hint = "Other random numbers";
         ui.label("Seed").on_hover_text(hint);
-        let response = ui
-            .add(egui::DragValue::new(&mut options.seed))
-            .on_hover_text(hint);
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label("Seed"));
+        let mut seed = f64::from(options.seed);
+        let number = Number::new("Seed", SEED).speed(0.25);
+        number.field(ui, &mut seed).on_hover_text(hint).explain(ui);
+        options.seed = seed as u32;
         let hint = "On the dome, seen from where the 3D lobe is seen";
         choice::switch_if(
             options.plot.shows_directions(),
@@ -74,6 +73,32 @@ fn controls(ui: &mut Ui, session: &mut Session) {
             &mut options.is_dome,
         );
     });
+}
+
+/// The number of samples: its power of 2 on the slider, the number itself in the field.
+fn samples(ui: &mut Ui, options: &mut SamplingOptions, hint: &str) {
+    let mut log2 = f64::from(options.count_log2);
+    let counts = NumberSpec::new("samples", SAMPLES_LOG2.range.map(f64::exp2)).whole();
+    let is_power = |count: f64| {
+        let allowed = counts.allowed();
+        let problem = || format!("{count} is no power of 2; {allowed}");
+        (count.log2().fract() == 0.0)
+            .then_some(())
+            .ok_or_else(problem)
+    };
+    let shown = ui.horizontal(|ui| {
+        let rail = Number::new("Samples", SAMPLES_LOG2).steps(1.0, 0);
+        rail.rail(ui, &mut log2);
+        let mut count = log2.exp2();
+        let shown = Number::new("Samples", counts)
+            .check(&is_power)
+            .field(ui, &mut count);
+        log2 = count.log2();
+        shown
+    });
+    let shown = shown.inner.on_hover_text(hint);
+    shown.explain(ui);
+    options.count_log2 = log2.round() as u8;
 }
 
 fn studies(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Study>)> {

@@ -1,16 +1,48 @@
 //! The handle of the light that the sphere stands in.
 
-use egui::{Rect, Ui};
+use egui::{Align2, Rect, Ui};
 use glam::DVec3;
 
 use super::super::ViewContext;
 use super::position;
-use crate::analysis::sphere;
+use crate::analysis::sphere::{self, Light};
+use crate::analysis::{Channel, Subject};
 use crate::bxdf::math::frame;
-use crate::ui::widgets::{draw, pictures};
+use crate::ui::session::{EntryId, LIGHT_PHI, LIGHT_THETA};
+use crate::ui::widgets::{deltas, handle, pictures};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.
 const BEHIND: f64 = 0.3;
+
+/// Where a mirror shows the light itself: a delta, too small to be seen, with a ring about it.
+pub(super) fn mark_glint(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    (strip, rect): (Rect, Rect),
+    light: DVec3,
+    entry: EntryId,
+) {
+    let session = &*cx.session;
+    // The other lights are wide enough to be seen.
+    let is_point = session.views.sphere.light == Light::Directional;
+    let Some(found) = session.materials.get(entry).filter(|_| is_point) else {
+        return;
+    };
+    let glint = |subject: &Subject<'_>| sphere::glint(&subject.lobe, light);
+    let Some((place, flux)) = cx.data.with_subject(session, found, glint) else {
+        return;
+    };
+    let painter = ui.painter_at(strip);
+    let (at, color) = (position(rect, place), cx.palette.material(found.slot()));
+    if strip.contains(at) {
+        deltas::ring(&painter, at, (color, cx.palette), true);
+        let beside = at + egui::vec2(deltas::BESIDE_RING, 0.0);
+        let place = (beside, Align2::LEFT_CENTER);
+        let text = deltas::label(Channel::Luminance.of(flux));
+        let look = (cx.palette.ink, cx.palette);
+        deltas::write(ui, &painter, &mut Vec::new(), place, &text, look);
+    }
+}
 
 /// The handle of the light: on the sphere where it faces the light, outside of it where the light stands behind.
 pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
@@ -26,19 +58,12 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
     };
     let at = position(rect, [reach * cos, reach * sin]);
     let id = ui.scope_id().with("light of the sphere");
-    let handle = draw::handle(
-        ui,
-        at,
-        id,
-        "Light of the sphere",
-        cx.palette.light,
-        cx.palette,
-    );
-    let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) else {
+    let named = (id, "Light of the sphere", ui.clip_rect());
+    let handle = handle::show(ui, at, named, cx.palette.light, cx.palette);
+    let Some(place) = handle.dragged_to() else {
         return;
     };
-    let [x, y] =
-        pictures::share_of(rect, pointer).map(|share| (2.0 * share - 1.0) / sphere::RADIUS);
+    let [x, y] = pictures::share_of(rect, place).map(|share| (2.0 * share - 1.0) / sphere::RADIUS);
     let radius = x.hypot(y);
     let theta_deg = if radius <= 1.0 {
         frame::theta(DVec3::new(
@@ -51,9 +76,10 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
         90.0 + 90.0 * ((radius - 1.0) / BEHIND).min(1.0)
     };
     let tenth = |angle: f64| (10.0 * angle).round() / 10.0;
-    options.theta_deg = tenth(theta_deg);
+    LIGHT_THETA.put(&mut options.theta_deg, tenth(theta_deg));
     if radius > 1e-3 {
-        options.phi_deg = tenth(frame::phi(DVec3::new(x, -y, 0.0)).to_degrees());
+        let phi_deg = frame::phi(DVec3::new(x, -y, 0.0)).to_degrees();
+        LIGHT_PHI.put(&mut options.phi_deg, tenth(phi_deg));
     }
     ui.ctx().request_repaint();
 }

@@ -11,8 +11,9 @@ use crate::analysis::half_difference::Spherical;
 use crate::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
 use crate::ui::export::table;
 use crate::ui::format;
-use crate::ui::session::{Arrangement, EntryId, MaterialEntry, Session};
+use crate::ui::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
 use crate::ui::theme;
+use crate::ui::widgets::number::Number;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
 use crate::ui::widgets::{choice, draw};
 
@@ -22,6 +23,7 @@ mod light;
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "sphere",
     title: "Lit sphere",
+    is_of_held: |_| false,
     what_you_see: "A sphere of the material under a light, in true proportion; a click takes \
         the directions of that point",
     show,
@@ -31,9 +33,6 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
 
 /// Room around a sphere for the handle of a light that stands behind it, as a share of the picture.
 const MARGIN: f32 = 0.08;
-
-/// The stops of exposure that can be chosen.
-const STOPS: std::ops::RangeInclusive<f64> = -6.0..=6.0;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
@@ -63,7 +62,7 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
     let note = if options.light == Light::Directional && cx.session.materials.shown().any(is_delta)
     {
-        Some("A mirror shows nothing of light from one direction: choose the sky")
+        Some("A mirror shows light from one direction at the ringed point alone: choose the sky")
     } else if is_clipped && !is_difference {
         Some("Channels are clipped where it is brightest: lower the exposure to see them")
     } else {
@@ -98,14 +97,10 @@ fn controls(ui: &mut Ui, session: &mut Session) {
             Light::title,
         );
         ui.label("Exposure");
-        let slider = egui::Slider::new(&mut options.exposure, STOPS)
-            .suffix(" stops")
-            .max_decimals(1);
-        let response = ui
-            .add(slider)
-            .on_hover_text("Each stop doubles the radiance; white is radiance 1 at 0 stops");
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label("Exposure"));
+        let hint = "Each stop doubles the radiance; white is radiance 1 at 0 stops";
+        let number = Number::new("Exposure", EXPOSURE).steps(0.0, 1);
+        let shown = number.slider(ui, "", &mut options.exposure);
+        shown.on_hover_text(hint).explain(ui);
         if is_overlay {
             let hint = "How the spheres of several materials stand";
             choice::choice(
@@ -201,12 +196,9 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
     let ids: Vec<EntryId> = ids
         .filter(|id| !is_difference || *id != reference)
         .collect();
-    let mut is_clipped = false;
-    for (index, (cell, entry)) in pictures::cells(room, ids.len(), 1.0)
-        .into_iter()
-        .zip(&ids)
-        .enumerate()
-    {
+    let (mut is_clipped, mut first) = (false, None);
+    let cells = pictures::cells(room, ids.len(), 1.0);
+    for (cell, entry) in cells.into_iter().zip(&ids) {
         let rect = cell.picture.shrink(MARGIN * cell.picture.width());
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
         if let Some(texture) = texture(ui, cx, *entry, rect.width(), is_difference) {
@@ -223,9 +215,11 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
             *entry,
             &name,
         );
-        if index == 0 {
-            light::drag(ui, cx, rect);
-        }
+        first = first.or(Some(rect));
+    }
+    // Above all spheres: its grip may reach into the next one.
+    if let Some(rect) = first {
+        light::drag(ui, cx, rect);
     }
     is_clipped
 }
@@ -293,6 +287,7 @@ fn interact_strip(
         return;
     }
     let light = request.to_light();
+    light::mark_glint(ui, cx, (strip, rect), light, entry);
     let Some(pointer) = response.hover_pos() else {
         mark_pair(ui, cx, rect, light);
         return;

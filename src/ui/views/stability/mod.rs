@@ -19,6 +19,7 @@ use crate::ui::widgets::{choice, draw};
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "stability",
     title: "Stability",
+    is_of_held: |session| session.views.stability.plot == StabilityPlot::Map,
     what_you_see: "How far f32 and f64 are off, over two angles or parameters: bright where digits \
         are lost, contours where the inputs themselves explain it",
     show,

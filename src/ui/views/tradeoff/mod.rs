@@ -3,23 +3,24 @@
 mod advice;
 mod plot;
 
-use egui::{DragValue, ProgressBar, RichText, Ui};
+use egui::{ProgressBar, RichText, Ui};
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::hemisphere::Comparison;
 use crate::bxdf::Material;
 use crate::lab::contract::Witness;
 use crate::lab::tradeoff::{FAMILIES, Point};
-use crate::ui::format;
 use crate::ui::measured::{Run, State};
-use crate::ui::session::{EntryId, MaterialEntry, Materials};
+use crate::ui::session::{EntryId, MaterialEntry, Materials, TOLERANCE};
 use crate::ui::theme::{self, Palette};
+use crate::ui::widgets::number::Number;
 use crate::ui::widgets::{choice, draw};
 
 /// The list entry.
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "tradeoff",
     title: "Trade-off",
+    is_of_held: |_| false,
     what_you_see: "What accuracy costs: each mark is a choice, its measured error over its measured \
         cost; what lies lowest and furthest left is worth choosing",
     show,
@@ -96,13 +97,9 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_>, state: Option<&State>) {
         let hint = "The largest relative error (root mean square) that is good enough; the line \
             in the plot can be dragged";
         ui.label("Tolerance").on_hover_text(hint);
-        let speed = 0.02 * options.tolerance;
-        let field = DragValue::new(&mut options.tolerance)
-            .range(LEAST_TOLERANCE..=1.0)
-            .speed(speed)
-            .custom_formatter(|x, _| format::value(x))
-            .update_while_editing(false);
-        ui.add(field).on_hover_text(hint);
+        let number = Number::new("Tolerance", TOLERANCE).logarithmic(true);
+        let shown = number.field(ui, &mut options.tolerance);
+        shown.on_hover_text(hint).explain(ui);
         let hint = "Measure whenever another material is selected, or it changes";
         choice::switch(ui, ("At once", hint), &mut options.is_immediate);
         if let Some(run) = cx.data.tradeoff.run() {
@@ -118,9 +115,6 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_>, state: Option<&State>) {
     });
     families(ui, cx);
 }
-
-/// The smallest tolerance that can be asked for.
-const LEAST_TOLERANCE: f64 = 1e-12;
 
 fn progress(ui: &mut Ui, run: Option<&Run>) {
     let Some(run) = run else {

@@ -4,12 +4,13 @@ use std::fmt::Write as _;
 
 use egui::{Rect, Sense, Ui, vec2};
 
-use super::{LEAST_TOLERANCE, ViewContext, choose, look};
+use super::{ViewContext, choose, look};
 use crate::lab::tradeoff::{FAMILIES, FamilyReport, Point, Report};
 use crate::ui::format;
+use crate::ui::session::TOLERANCE;
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::chart::{Axis, Chart, Dots, Mark, Series};
-use crate::ui::widgets::draw;
+use crate::ui::widgets::{draw, handle};
 
 /// Where an error of exactly 0 is drawn.
 const ZERO: f64 = 1e-16;
@@ -165,25 +166,16 @@ fn drag_tolerance(
     let tolerance = cx.session.views.tradeoff.tolerance;
     let frame = shown.frame();
     let height = chart.position_of(shown, [1.0, tolerance]).y;
-    if !frame.y_range().contains(height) {
-        return;
-    }
     let at = egui::pos2(frame.left() + theme::HANDLE_RADIUS, height);
     let id = ui.scope_id().with("tolerance");
-    let handle = draw::handle(
-        ui,
-        at,
-        id,
-        "Line of the tolerance",
-        cx.palette.ink,
-        cx.palette,
-    );
-    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
-        let [_, error] = chart.value_at(shown, pointer);
+    let named = (id, "Line of the tolerance", frame);
+    let handle = handle::show(ui, at, named, cx.palette.ink, cx.palette);
+    if let Some(place) = handle.dragged_to() {
+        let [_, error] = chart.value_at(shown, place);
         // Two digits, as it is shown.
         let unit = 10_f64.powf(error.log10().floor() - 1.0);
         let rounded = (error / unit).round() * unit;
-        cx.session.views.tradeoff.tolerance = rounded.clamp(LEAST_TOLERANCE, 1.0);
+        TOLERANCE.put(&mut cx.session.views.tradeoff.tolerance, rounded);
     }
 }
 

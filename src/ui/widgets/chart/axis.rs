@@ -5,7 +5,7 @@ use egui_plot::{AxisHints, GridMark};
 use crate::ui::format;
 
 /// Room above the highest curve, as a share of the height.
-const TOP_ROOM: f64 = 0.12;
+pub(super) const TOP_ROOM: f64 = 0.12;
 
 /// The angles at which an axis of degrees is marked: the closer ones where there is room.
 const DEGREES: [f64; 3] = [15.0, 30.0, 90.0];

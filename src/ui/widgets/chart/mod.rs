@@ -2,20 +2,21 @@
 
 use std::fmt::Write as _;
 
-use egui::{Align2, Pos2, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, IdSalt, Pos2, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use egui_plot::{
-    AxisHints, FilledArea, HLine, Line, Plot, PlotPoint, PlotPoints, PlotTransform, PlotUi, Points,
-    VLine,
+    AxisHints, FilledArea, HLine, Line, Plot, PlotMemory, PlotPoint, PlotPoints, PlotTransform,
+    PlotUi, Points, VLine,
 };
 
-use super::{choice, draw};
+use super::{choice, deltas, draw, reset};
 use crate::ui::format;
 use crate::ui::theme::{self, Palette};
 pub use axis::Axis;
-pub use series::{Band, Dots, Mark, Series, style};
+pub use series::{Band, Dots, Mark, Series, Stem, style};
 
 mod axis;
 mod series;
+mod stems;
 
 /// Room at the right of a plot for half a number, and the least height of one, in points.
 const END_ROOM: f32 = 12.0;
@@ -36,6 +37,8 @@ pub struct Chart {
     pub bands: Vec<Band>,
     /// Single values, over the curves.
     pub dots: Vec<Dots>,
+    /// Dirac deltas, over the curves: their heights are shares of the flux, whatever the axis upwards measures.
+    pub stems: Vec<Stem>,
     /// Lines at an x.
     pub marks: Vec<Mark>,
     /// Lines at a y.
@@ -63,6 +66,7 @@ impl Chart {
             series,
             bands: Vec::new(),
             dots: Vec::new(),
+            stems: Vec::new(),
             marks: Vec::new(),
             levels: Vec::new(),
             has_names: false,
@@ -77,6 +81,9 @@ impl Chart {
         }
         for mark in self.marks.iter_mut().chain(&mut self.levels) {
             mark.name.clear();
+        }
+        for stem in &mut self.stems {
+            stem.name.clear();
         }
     }
 
@@ -93,7 +100,10 @@ impl Chart {
         // The last number below stands half beside the plot.
         let room = vec2(ui.available_width() - END_ROOM, height);
         let ([x_low, x_high], [y_low, y_high]) = (self.x.ends(), self.y.ends());
-        let plot = Plot::new(("chart", &self.name, self.y.is_logarithmic, &self.x.name))
+        let salt = ("chart", &self.name, self.y.is_logarithmic, &self.x.name);
+        let id = ui.make_persistent_id(IdSalt::new(salt));
+        let plot = Plot::new(salt)
+            .id(id)
             .width(room.x)
             .height(room.y)
             .custom_x_axes(vec![self.x.hints(AxisHints::new_x())])
@@ -128,13 +138,17 @@ impl Chart {
             draw::zoom_by_scrolling(plot_ui);
             self.draw(plot_ui);
         });
+        let memory = PlotMemory::load(ui.ctx(), id);
+        let is_moved = memory.is_some_and(|memory| !memory.auto_bounds.all());
+        reset::of_plot(ui, id, *shown.transform.frame(), is_moved);
         let response = shown.response;
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &self.name));
         let shown = Shown {
             response,
             transform: shown.transform,
         };
-        self.name_marks(ui, &shown, palette);
+        let mut taken = self.name_marks(ui, &shown, palette);
+        self.draw_stems(ui, &shown, &mut taken, palette);
         shown
     }
 
@@ -214,8 +228,8 @@ impl Chart {
         });
     }
 
-    /// The names of the marks at the top, of the levels at the right.
-    fn name_marks(&self, ui: &Ui, shown: &Shown, palette: &Palette) {
+    /// The names of the marks at the top, of the levels at the right. Returns where they stand.
+    fn name_marks(&self, ui: &Ui, shown: &Shown, palette: &Palette) -> Vec<Rect> {
         let frame = shown.frame();
         let painter = ui.painter_at(frame);
         let mut taken: Vec<Rect> = Vec::new();
@@ -258,6 +272,7 @@ impl Chart {
                 );
             }
         }
+        taken
     }
 
     /// The x and y under the pointer, in the units of the axes.
@@ -318,6 +333,9 @@ impl Chart {
                 // Writing to a string cannot fail.
                 let _ = write!(text, "\n{}  {}", series.name, format::value(y));
             }
+        }
+        for stem in self.stems_near(shown, x) {
+            let _ = write!(text, "\n{}  {}", stem.of, deltas::label(stem.share));
         }
         if let Some(pointer) = shown.response.hover_pos() {
             draw::pointer_note(ui, pointer, shown.frame(), &text, palette);

@@ -61,7 +61,30 @@ pub struct Mark {
     pub dash: Dash,
 }
 
+/// A Dirac delta: a share of the flux at an x, on a scale of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stem {
+    /// What stands at its tip.
+    pub name: String,
+    /// Whose it is, for the read-out; may be empty.
+    pub of: String,
+    /// At which x.
+    pub at: f64,
+    /// Its share of the flux; below 0 where another's is taken off.
+    pub share: f64,
+    /// Its colour.
+    pub color: Color32,
+    /// Its line: broken where it lies outside what is shown.
+    pub dash: Dash,
+}
+
 impl Series {
+    /// Whether it is 0 everywhere.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.lines.iter().flatten().all(|[_, y]| *y == 0.0)
+    }
+
     /// Its y at `x`, between its points; `None` where it has no piece.
     #[must_use]
     pub fn value_at(&self, x: f64) -> Option<f64> {

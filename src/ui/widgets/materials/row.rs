@@ -65,7 +65,6 @@ impl Row<'_> {
         };
         let badges = Badges {
             title: &self.title,
-            material: &self.entry.material,
             reports: checks.as_ref().map(|checks| checks.as_slice()),
         };
         wished.extend(badges.summary(ui, palette).map(Action::Inspect));

@@ -2,24 +2,24 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Rect, Response, Shape, Ui};
-use glam::DVec3;
+use egui::{Rect, Response, Shape, Ui};
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
 use crate::analysis::{Channel, HeldLobe, Subject};
-use crate::bxdf::math::frame;
 use crate::ui::export::table;
 use crate::ui::format;
 use crate::ui::session::{DECADES, EntryId, MaterialEntry, Session};
-use crate::ui::theme::Palette;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
-use crate::ui::widgets::{choice, draw};
+use crate::ui::widgets::{choice, deltas, draw, handle};
+
+mod marks;
 
 /// The list entry.
 pub(super) const SPEC: ViewSpec = ViewSpec {
     id: "hemisphere",
     title: "Hemisphere",
+    is_of_held: |_| true,
     what_you_see: "The value in every direction of one side: n in the middle, the horizon at \
         the rim, colours for values",
     show,
@@ -30,15 +30,12 @@ pub(super) const SPEC: ViewSpec = ViewSpec {
 /// Room for labels around a disc, in points.
 const LABELS: f32 = 15.0;
 
-/// The circles drawn, in degrees from n.
-const CIRCLES_DEG: [f64; 2] = [30.0, 60.0];
-
 /// The largest ratio that colours tell apart.
 const LARGEST_RATIO: f64 = 100.0;
 
 fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::no_values(cx.session) {
+    if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
@@ -49,27 +46,38 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .map(|(_, map)| map.range(Channel::Luminance))
         .reduce(Range::with)
         .filter(|range| range.is_some());
-    let Some(scale) = range.map(|range| scale(range, cx.session)) else {
+    // What is 0 everywhere has no colours.
+    let is_ratio = options.comparison == Comparison::Ratio;
+    let has_values = |range: &Range| is_ratio || range.highest > 0.0 || range.lowest < 0.0;
+    let range = range.filter(has_values);
+    let has_deltas = maps.iter().any(|(_, map)| !map.deltas.is_empty());
+    if range.is_none() && !has_deltas {
         let side = if options.is_lower { "below" } else { "above" };
-        draw::centred_note(ui, &format!("No light leaves on the side {side}"));
+        let what = match options.comparison {
+            Comparison::None => "No light leaves",
+            Comparison::Difference | Comparison::Ratio => "Nothing differs",
+        };
+        draw::centred_note(ui, &format!("{what} on the side {side}"));
         return;
-    };
-    let room = ui.available_rect_before_wrap();
-    let room = pictures::color_bar(ui, room, scale, &quantity_name(cx.session), cx.palette);
-    for (index, cell) in pictures::cells(room, maps.len(), 1.0)
-        .into_iter()
-        .enumerate()
-    {
-        if let Some((entry, map)) = maps.get(index) {
-            let disc = Cell {
-                picture: cell.picture.shrink(LABELS),
-                ..cell
-            };
-            show_map(ui, cx, disc, (*entry, map), scale);
-            if index == 0 {
-                drag_held(ui, cx, disc.picture);
-            }
-        }
+    }
+    let mut room = ui.available_rect_before_wrap();
+    let scale = range.map(|range| scale(range, cx.session));
+    if let Some(scale) = scale {
+        room = pictures::color_bar(ui, room, scale, &quantity_name(cx.session), cx.palette);
+    }
+    let cells = pictures::cells(room, maps.len(), 1.0);
+    let mut first = None;
+    for (cell, (entry, map)) in cells.into_iter().zip(&maps) {
+        let disc = Cell {
+            picture: cell.picture.shrink(LABELS),
+            ..cell
+        };
+        show_map(ui, cx, disc, (*entry, map), scale);
+        first = first.or(Some(disc.picture));
+    }
+    // Above all pictures: its grip may reach into the next one.
+    if let Some(picture) = first {
+        drag_held(ui, cx, picture);
     }
     ui.advance_cursor_after_rect(room);
 }
@@ -201,23 +209,34 @@ fn show_map(
     cx: &mut ViewContext<'_>,
     cell: Cell,
     (entry, map): (EntryId, &Arc<Map>),
-    scale: ColorScale,
+    scale: Option<ColorScale>,
 ) {
     let picture = Picture {
         entry,
         sources: vec![Arc::clone(map) as _],
-        look: Some(scale),
+        look: scale,
     };
     let textures = &mut cx.state.textures;
-    let paint = || scale.paint(&map.channel(Channel::Luminance));
+    let paint = || {
+        scale
+            .unwrap_or(NOTHING)
+            .paint(&map.channel(Channel::Luminance))
+    };
     let response = pictures::show(ui, textures, cell, picture, cx.session, cx.palette, paint);
-    if cx.session.views.hemisphere.has_contours {
+    if let Some(scale) = scale.filter(|_| cx.session.views.hemisphere.has_contours) {
         draw_contours(ui, cx, cell.picture, (entry, map), scale);
     }
-    draw_grid(ui, cx.session, cell.picture, cx.palette);
-    draw_directions(ui, cx.session, cell.picture, cx.palette);
-    point(ui, cx, cell.picture, entry, &response);
+    marks::draw_grid(ui, cx.session, cell.picture, cx.palette);
+    marks::draw_directions(ui, cx.session, cell.picture, cx.palette);
+    marks::draw_deltas(ui, cx, cell.picture, (entry, map));
+    point(ui, cx, cell.picture, (entry, map), &response);
 }
+
+/// The colours where there is no value above 0.
+const NOTHING: ColorScale = ColorScale {
+    range: [0.0, 1.0],
+    kind: ScaleKind::Linear,
+};
 
 fn draw_contours(
     ui: &Ui,
@@ -247,65 +266,6 @@ fn draw_contours(
     }
 }
 
-/// Circles of equal angle from n, the axes and their names.
-fn draw_grid(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
-    let painter = ui.painter();
-    let projection = session.views.hemisphere.projection;
-    let (centre, radius) = (rect.center(), 0.5 * rect.width());
-    let font = draw::small_font(ui);
-    painter.circle_stroke(centre, radius, (1.0, palette.axis));
-    for theta in CIRCLES_DEG {
-        let [x, _] = projection.place(frame::direction_from_degrees(theta, 0.0));
-        let at = x as f32 * radius;
-        painter.circle_stroke(centre, at, (0.6, palette.axis));
-        if radius > 70.0 {
-            let place = centre + egui::vec2(0.0, at);
-            let text = format::degrees(theta);
-            draw::haloed_text(
-                painter,
-                place,
-                Align2::CENTER_CENTER,
-                &text,
-                font.clone(),
-                palette.faint_ink,
-                palette,
-            );
-        }
-    }
-    let [right, top] = [rect.right_center(), rect.center_top()];
-    painter.text(
-        right + egui::vec2(4.0, 0.0),
-        Align2::LEFT_CENTER,
-        "s",
-        font.clone(),
-        palette.ink,
-    );
-    painter.text(
-        top - egui::vec2(0.0, 2.0),
-        Align2::CENTER_BOTTOM,
-        "t",
-        font,
-        palette.ink,
-    );
-}
-
-/// The mirror direction and the held one, where they are on the side shown.
-fn draw_directions(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
-    let painter = ui.painter();
-    let held = session.held();
-    let mirror = DVec3::new(-held.x, -held.y, held.z);
-    for (w, color) in [(mirror, palette.mirror), (held, palette.held(session.hold))] {
-        let place = session.views.hemisphere.projection.place(w);
-        let at = pictures::position_of(rect, mirrored(place));
-        if (w.z > 0.0) == session.views.hemisphere.is_lower {
-            // On the other side of the surface: where it would be seen through it.
-            painter.circle_stroke(at, 4.0, (1.0, color));
-        } else {
-            painter.circle(at, 4.0, color, (1.5, palette.background));
-        }
-    }
-}
-
 /// The handle of the held direction.
 fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
     let options = cx.session.views.hemisphere;
@@ -315,16 +275,10 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
     }
     let at = pictures::position_of(rect, mirrored(options.projection.place(held)));
     let (color, id) = (cx.palette.held(cx.session.hold), ui.scope_id().with("held"));
-    let handle = draw::handle(
-        ui,
-        at,
-        id,
-        "Held direction in the hemisphere",
-        color,
-        cx.palette,
-    );
-    if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
-        let [x, y] = pictures::share_of(rect, pointer).map(|share| 2.0 * share - 1.0);
+    let named = (id, "Held direction in the hemisphere", ui.clip_rect());
+    let handle = handle::show(ui, at, named, color, cx.palette);
+    if let Some(place) = handle.dragged_to() {
+        let [x, y] = pictures::share_of(rect, place).map(|share| 2.0 * share - 1.0);
         let reach = x.hypot(-y).max(1.0);
         let place = [x / reach, -y / reach];
         if let Some(w) = options.projection.direction(place, !options.is_lower) {
@@ -335,7 +289,13 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
 }
 
 /// The direction under the pointer; the one pointed at in another view.
-fn point(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, entry: EntryId, response: &Response) {
+fn point(
+    ui: &Ui,
+    cx: &mut ViewContext<'_>,
+    rect: Rect,
+    (entry, map): (EntryId, &Arc<Map>),
+    response: &Response,
+) {
     let options = cx.session.views.hemisphere;
     let Some(pointer) = response.hover_pos() else {
         if let Some(cursor) = &*cx.cursor
@@ -355,7 +315,13 @@ fn point(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, entry: EntryId, response
         material: entry,
         direction,
     };
-    let text = read_out(cx, &cursor);
+    let mut text = read_out(cx, &cursor);
+    for value in &map.deltas {
+        let at = marks::position(rect, value.direction, cx.session);
+        if at.distance(pointer) <= deltas::BESIDE_RING {
+            text = format!("{text}\n{}", marks::delta_label(value, cx.session));
+        }
+    }
     draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
     *cx.cursor = Some(cursor);
 }

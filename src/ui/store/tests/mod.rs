@@ -1,11 +1,22 @@
 //! What goes wrong with files, and that nothing is lost by it.
 
-use std::cell::Cell;
 use std::fs;
 use std::io;
-use std::rc::Rc;
+use std::sync::atomic::{AtomicU32, Ordering};
 
+use super::place::{backup, with_suffix};
 use super::*;
+use crate::bxdf::Material;
+use crate::bxdf::material::library;
+use crate::files::MAX_TEXT;
+use crate::lab::timing::NoClock;
+use crate::lab::tradeoff::{FAMILIES, Family, Study, measure};
+use crate::ui::session::{MAX_MATERIALS, Materials};
+
+mod own;
+
+/// The session of the last run, in the folder of the program's data.
+const LAST_SESSION: &str = "session.toml";
 
 /// A folder of its own, removed in the end.
 struct Folder(PathBuf);
@@ -23,7 +34,13 @@ impl Folder {
     }
 
     fn store(&self) -> Store {
-        Store::new(Box::new(Disk), Some(self.0.clone()))
+        Store::new(Arc::new(Disk), Some(self.0.clone()))
+    }
+
+    /// What the next run begins with: the session of the last one, if there is any, and what is said.
+    fn restored(&self) -> (Option<Session>, Vec<String>) {
+        let Restored { session, said } = self.store().restore(fresh());
+        (Some(session).filter(|session| *session != fresh()), said)
     }
 
     fn names(&self) -> Vec<String> {
@@ -31,6 +48,7 @@ impl Folder {
         let name = |entry: io::Result<fs::DirEntry>| entry.unwrap().file_name();
         let mut names: Vec<String> = entries
             .map(|entry| name(entry).into_string().unwrap())
+            .filter(|name| !name.contains(".lock"))
             .collect();
         names.sort();
         names
@@ -45,19 +63,27 @@ impl Drop for Folder {
 
 /// A disk on which the next steps that write fail, one after so many that work: as where it is full, or the program is
 /// killed.
+#[derive(Clone)]
 struct Failing {
-    works: Rc<Cell<u32>>,
+    works: Arc<AtomicU32>,
     /// Whether nothing can be done after it, as in a killed program.
     is_killed: bool,
 }
 
 impl Failing {
+    fn after(works: u32, is_killed: bool) -> Self {
+        Self {
+            works: Arc::new(AtomicU32::new(works)),
+            is_killed,
+        }
+    }
+
     fn step(&self) -> io::Result<()> {
-        let left = self.works.get();
+        let left = self.works.load(Ordering::SeqCst);
         if left == 0 {
             return Err(io::ErrorKind::StorageFull.into());
         }
-        self.works.set(left - 1);
+        self.works.store(left - 1, Ordering::SeqCst);
         Ok(())
     }
 }
@@ -90,6 +116,30 @@ impl Files for Failing {
     fn make_folder(&self, path: &Path) -> io::Result<()> {
         Disk.make_folder(path)
     }
+
+    fn look(&self, path: &Path) -> io::Result<Found> {
+        Disk.look(path)
+    }
+
+    fn lock(&self, path: &Path) -> io::Result<Option<fs::File>> {
+        Disk.lock(path)
+    }
+}
+
+/// What a run begins with where there is nothing to go on with.
+fn fresh() -> Session {
+    session(77.0)
+}
+
+fn open(store: &mut Store, path: &Path) -> Result<Opened> {
+    let opened = store.reader(path)()?;
+    store.remember(path);
+    Ok(opened)
+}
+
+/// Keeps the session of a window that is closed then.
+fn keep(folder: &Folder, theta_deg: f64) {
+    folder.store().keep_now(&session(theta_deg)).unwrap();
 }
 
 fn session(theta_deg: f64) -> Session {
@@ -97,34 +147,6 @@ fn session(theta_deg: f64) -> Session {
         theta_deg,
         ..Session::default()
     }
-}
-
-#[test]
-fn the_session_is_kept_a_moment_after_it_changes() {
-    let folder = Folder::new("kept");
-    let mut store = folder.store();
-    assert_eq!(store.restore().0, None, "nothing is there at first");
-    assert_eq!(store.keep(&session(10.0), 5.0).unwrap(), Some(DELAY));
-    assert_eq!(store.keep(&session(11.0), 5.75).unwrap(), Some(0.25));
-    assert!(folder.names().is_empty());
-    assert_eq!(store.keep(&session(12.0), 6.5).unwrap(), None);
-    let (restored, problem) = folder.store().restore();
-    assert_eq!(restored, Some(session(12.0)));
-    assert!(problem.is_none());
-    assert_eq!(store.keep(&session(12.0), 9.0).unwrap(), None);
-    store.keep_now(&session(13.0)).unwrap();
-    assert_eq!(folder.names(), [LAST_SESSION, "session.toml.bak"]);
-    let mut restored = folder.store();
-    assert_eq!(restored.restore().0, Some(session(13.0)));
-    assert_eq!(restored.keep(&session(13.0), 0.0).unwrap(), None);
-}
-
-#[test]
-fn without_a_folder_nothing_is_kept() {
-    let mut store = Store::new(Box::new(Disk), None);
-    assert_eq!(store.keep(&session(1.0), 100.0).unwrap(), None);
-    store.keep_now(&session(1.0)).unwrap();
-    assert!(store.restore().0.is_none() && store.recent().is_empty());
 }
 
 #[test]
@@ -137,11 +159,8 @@ fn a_writer_that_fails_anywhere_loses_nothing() {
             let mut store = folder.store();
             store.save(&path, &session(10.0)).unwrap();
             store.save(&path, &session(20.0)).unwrap();
-            let files = Failing {
-                works: Rc::new(Cell::new(works)),
-                is_killed,
-            };
-            let mut failing = Store::new(Box::new(files), None);
+            let files = Failing::after(works, is_killed);
+            let mut failing = Store::new(Arc::new(files), None);
             let line = failing.save(&path, &session(30.0)).unwrap_err().to_string();
             assert!(line.contains("mine.toml") && !line.contains('\n'), "{line}");
             // The last good one is there, in its place or as the backup of a killed program.
@@ -149,65 +168,45 @@ fn a_writer_that_fails_anywhere_loses_nothing() {
                 .into_iter()
                 .find(|path| path.exists())
                 .unwrap();
-            let opened = folder.store().open(&found).unwrap();
+            let opened = open(&mut folder.store(), &found).unwrap();
             assert_eq!(opened, Opened::Session(Box::new(session(20.0))), "{works}");
             // What a killed program left beside it is in nobody's way.
             let mut store = folder.store();
             store.save(&path, &session(40.0)).unwrap();
-            let opened = store.open(&path).unwrap();
+            let opened = open(&mut store, &path).unwrap();
             assert_eq!(opened, Opened::Session(Box::new(session(40.0))));
-            assert!(!with_suffix(&path, ".partial").exists());
+            let partial = |name: &String| name.ends_with(".partial");
+            let is_left = folder.names().iter().any(partial);
+            assert_eq!(is_left, is_killed, "only a killed program leaves any");
         }
     }
 }
 
 #[test]
-fn a_killed_program_is_restored_from_what_is_left() {
-    for works in 0..3 {
-        let folder = Folder::new(&format!("killed-{works}"));
-        let mut store = folder.store();
-        store.keep_now(&session(10.0)).unwrap();
-        store.keep_now(&session(20.0)).unwrap();
-        let files = Failing {
-            works: Rc::new(Cell::new(works)),
-            is_killed: true,
-        };
-        let mut killed = Store::new(Box::new(files), Some(folder.0.clone()));
-        assert!(killed.keep_now(&session(30.0)).is_err());
-        let (restored, problem) = folder.store().restore();
-        assert_eq!(restored, Some(session(20.0)), "{works}");
-        assert!(problem.is_none());
-    }
-}
-
-#[test]
-fn a_broken_session_is_told_of_and_never_replaces_the_backup() {
-    let folder = Folder::new("broken");
-    let mut store = folder.store();
-    store.keep_now(&session(10.0)).unwrap();
-    store.keep_now(&session(20.0)).unwrap();
-    fs::write(folder.file(LAST_SESSION), "theta_deg = \"steep\"").unwrap();
-    let mut store = folder.store();
-    let (restored, problem) = store.restore();
-    assert_eq!(restored, Some(session(10.0)));
-    let line = problem.unwrap().to_string();
-    assert!(line.contains("session.toml: line 1"), "{line}");
-    store.keep_now(&session(30.0)).unwrap();
-    fs::remove_file(folder.file(LAST_SESSION)).unwrap();
-    assert_eq!(folder.store().restore().0, Some(session(10.0)));
+fn a_file_of_the_users_that_cannot_be_read_is_kept_beside_the_new_one() {
+    let folder = Folder::new("aside");
+    let path = folder.file("mine.toml");
+    fs::write(&path, "version = 7").unwrap();
+    let aside = folder.store().save(&path, &session(10.0)).unwrap();
+    assert_eq!(aside, Some(with_suffix(&path, ".unreadable-1")));
+    assert_eq!(fs::read_to_string(aside.unwrap()).unwrap(), "version = 7");
+    // Nothing but files is moved.
+    let line = folder.store().save(&folder.0, &session(1.0)).unwrap_err();
+    assert!(line.to_string().contains("directory"), "{line}");
+    assert!(folder.store().export(&folder.0, b"x").is_err());
 }
 
 #[test]
 fn files_of_the_wrong_kind_are_refused_in_a_line() {
     let folder = Folder::new("wrong");
     let text = session(10.0).to_toml().unwrap();
-    let huge = "# ".to_owned() + &"x".repeat(MAX_FILE as usize);
+    let huge = "# ".to_owned() + &"x".repeat(MAX_TEXT as usize);
     let newer = text.replace("version = 1", "version = 7");
     let cases: [(&str, &[u8], &str); 8] = [
         ("picture.png", b"\x89PNG\r\n\x1a\n\xff\xfe", "no text"),
         ("letter.txt", b"Dear all,\nsee below.", "line 1"),
         ("empty.toml", b"", "there is nothing in it"),
-        ("huge.toml", huge.as_bytes(), "more than 1048576 bytes"),
+        ("huge.toml", huge.as_bytes(), "more than 32 MiB"),
         (
             "cut.toml",
             &text.as_bytes()[..text.len() / 2],
@@ -233,12 +232,12 @@ fn files_of_the_wrong_kind_are_refused_in_a_line() {
     for (name, bytes, expected) in cases {
         let path = folder.file(name);
         fs::write(&path, bytes).unwrap();
-        let line = store.open(&path).unwrap_err().to_string();
+        let line = open(&mut store, &path).unwrap_err().to_string();
         assert!(line.contains(name) && line.contains(expected), "{line}");
         assert!(!line.contains('\n'), "{line}");
     }
-    assert!(store.open(&folder.file("nowhere.toml")).is_err());
-    assert!(store.open(&folder.0).is_err(), "a folder");
+    assert!(open(&mut store, &folder.file("nowhere.toml")).is_err());
+    assert!(open(&mut store, &folder.0).is_err(), "a folder");
     assert!(store.recent().is_empty());
 }
 
@@ -248,14 +247,9 @@ fn a_folder_that_cannot_be_written_is_told_of() {
     // A file where the folder should be is refused to everybody, the administrator included.
     fs::write(folder.file("data"), "a file").unwrap();
     let own = folder.file("data");
-    let mut store = Store::new(Box::new(Disk), Some(own.clone()));
+    let mut store = Store::new(Arc::new(Disk), Some(own.clone()));
     let line = store.keep_now(&session(1.0)).unwrap_err().to_string();
     assert!(line.contains("data"), "{line}");
-    assert_eq!(
-        store.keep(&session(1.0), 9.0).unwrap(),
-        None,
-        "said once, not in every frame"
-    );
     assert!(store.save(&own.join("x.toml"), &session(1.0)).is_err());
     assert_eq!(fs::read_to_string(own).unwrap(), "a file");
 }
@@ -268,11 +262,62 @@ fn the_files_used_last_are_remembered() {
     for path in &paths {
         store.save(path, &session(5.0)).unwrap();
     }
-    store.open(&paths[4]).unwrap();
+    open(&mut store, &paths[4]).unwrap();
     let again = folder.store();
     assert_eq!(again.recent(), store.recent());
     assert_eq!(again.recent().len(), MAX_RECENT);
     assert_eq!(again.recent()[..2], [paths[4].clone(), paths[9].clone()]);
     fs::write(folder.file(PREFERENCES), "recent = 3").unwrap();
     assert!(folder.store().recent().is_empty());
+}
+
+/// Every material that the trade-off offers in place of this one.
+fn offered(id: &str) -> Vec<Material> {
+    let material = &library::find(id).unwrap().material;
+    let study = Study::new(material, None);
+    let is_of_material = |family: &&dyn Family| family.is_of_material();
+    let families: Vec<&dyn Family> = FAMILIES.into_iter().filter(is_of_material).collect();
+    let report = measure(&study, &families, &NoClock, &|| true, &mut |_, _| {}).unwrap();
+    let points = report.families.into_iter().flat_map(|family| family.points);
+    points.filter_map(|point| point.material).collect()
+}
+
+#[test]
+fn all_that_the_trade_off_offers_is_kept_saved_and_opened_again() {
+    let folder = Folder::new("offers");
+    let path = folder.file("mine.toml");
+    // What may be turned has the largest tables of three coordinates, what may not those of four.
+    for id in ["chalk", "gold", "brushed_steel"] {
+        let offered = offered(id);
+        let tables = offered.iter().filter(|material| material.holds_table());
+        let tables: Vec<Material> = tables.cloned().collect();
+        assert!(tables.len() > 3, "{id}");
+        let each = offered.into_iter().map(|material| vec![material]);
+        // Each beside the one it stands for, and as many as a session takes.
+        let all: Vec<Material> = tables
+            .iter()
+            .rev()
+            .cycle()
+            .take(MAX_MATERIALS)
+            .cloned()
+            .collect();
+        for materials in each.chain([tables, all]) {
+            let session = Session {
+                materials: Materials::new(materials).unwrap(),
+                ..Session::default()
+            };
+            session.require_fit().unwrap();
+            let mut store = folder.store();
+            store.save(&path, &session).unwrap();
+            store.keep_now(&session).unwrap();
+            let opened = open(&mut store, &path).unwrap();
+            assert!(opened == Opened::Session(Box::new(session.clone())), "{id}");
+            drop(store);
+            let (restored, said) = folder.restored();
+            assert!(
+                restored == Some(session) && said.is_empty(),
+                "{id}: {said:?}"
+            );
+        }
+    }
 }

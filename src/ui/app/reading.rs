@@ -1,0 +1,137 @@
+//! Reading what is opened or pasted: in a thread of its own, so that the window goes on meanwhile.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::time::Duration;
+
+use egui::{Context, Panel, Ui};
+
+use super::App;
+use crate::error::{Error, Result};
+use crate::files;
+use crate::ui::platform;
+use crate::ui::session::Opened;
+
+/// Texts up to this many bytes are read at once: that takes no longer than a frame.
+const AT_ONCE: usize = 1 << 15;
+
+/// How often it is looked whether a text is read, in seconds.
+const POLL: f64 = 0.1;
+
+/// What is being read, in the order in which it came.
+pub struct Readings {
+    waiting: VecDeque<Reading>,
+    /// Whether there are threads to read in; else everything is read at once.
+    is_threaded: bool,
+}
+
+impl Readings {
+    /// Nothing yet; in threads, where it is so and there are any.
+    pub(super) fn new(is_threaded: bool) -> Self {
+        Self {
+            waiting: VecDeque::new(),
+            is_threaded,
+        }
+    }
+}
+
+/// A text that is being read.
+struct Reading {
+    what: String,
+    /// The file it stands in.
+    path: Option<PathBuf>,
+    answer: Receiver<Result<Opened>>,
+}
+
+impl App {
+    /// Reads a text that was pasted.
+    pub(super) fn read_pasted(
+        &mut self,
+        length: usize,
+        read: impl FnOnce() -> Result<Opened> + Send + 'static,
+        ctx: &Context,
+    ) {
+        let what = format!("the clipboard, {}", files::in_words(length as u64));
+        let is_long = length > AT_ONCE;
+        self.read(what, None, is_long, read, ctx);
+    }
+
+    /// Reads a file.
+    pub(super) fn read_file(
+        &mut self,
+        path: PathBuf,
+        read: impl FnOnce() -> Result<Opened> + Send + 'static,
+        ctx: &Context,
+    ) {
+        let what = path.display().to_string();
+        self.read(what, Some(path), true, read, ctx);
+    }
+
+    fn read(
+        &mut self,
+        what: String,
+        path: Option<PathBuf>,
+        is_long: bool,
+        read: impl FnOnce() -> Result<Opened> + Send + 'static,
+        ctx: &Context,
+    ) {
+        let (sender, answer) = mpsc::channel();
+        let wake = ctx.clone();
+        let work = move || {
+            // Nobody listens where the window is closed meanwhile.
+            let _ = sender.send(read());
+            wake.request_repaint();
+        };
+        if is_long && self.readings.is_threaded && platform::has_threads() {
+            if !platform::spawn(work) {
+                self.notice.say(&"no thread to read it");
+                return;
+            }
+        } else {
+            work();
+        }
+        self.readings
+            .waiting
+            .push_back(Reading { what, path, answer });
+        self.take_what_is_read(ctx);
+    }
+
+    /// Shows what is read by now, each after what came before it.
+    pub(super) fn take_what_is_read(&mut self, ctx: &Context) {
+        while let Some(first) = self.readings.waiting.front() {
+            let opened = match first.answer.try_recv() {
+                Ok(opened) => opened,
+                Err(TryRecvError::Empty) => {
+                    ctx.request_repaint_after(Duration::from_secs_f64(POLL));
+                    return;
+                }
+                Err(TryRecvError::Disconnected) => {
+                    Err(Error::parse(first.what.as_str(), "it could not be read"))
+                }
+            };
+            let path = self
+                .readings
+                .waiting
+                .pop_front()
+                .and_then(|reading| reading.path);
+            self.take(opened, path);
+        }
+    }
+
+    /// Whether something is being read.
+    #[must_use]
+    pub fn is_reading(&self) -> bool {
+        !self.readings.waiting.is_empty()
+    }
+
+    /// A panel at the bottom that says what is being read.
+    pub(super) fn show_reading(&self, ui: &mut Ui) {
+        if let Some(first) = self.readings.waiting.front() {
+            Panel::bottom("reading").show(ui, |ui| {
+                // No wheel turns: it would have every frame drawn, beside the thread that reads.
+                ui.label(format!("Reading {} …", first.what));
+            });
+        }
+    }
+}

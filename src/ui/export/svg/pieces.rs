@@ -1,0 +1,107 @@
+//! The parts of shapes that are no element of the format by themselves.
+
+use egui::epaint::{BandPoint, BandShape};
+use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, StrokeKind, Vec2, emath::Rot2};
+
+use super::WHOLE;
+use super::elements::short;
+
+/// The outlines of a band, one for each stretch of points that ascend in x; what breaks it is left out, as egui does.
+pub(super) fn of_band(band: &BandShape) -> Vec<Vec<Pos2>> {
+    let is_valid = |point: &BandPoint| point.is_finite() && point.y.min <= point.y.max;
+    let inset = match band.stroke_kind {
+        _ if band.stroke.is_empty() => 0.0,
+        StrokeKind::Inside => 0.5 * band.stroke.width,
+        StrokeKind::Middle => 0.0,
+        StrokeKind::Outside => -0.5 * band.stroke.width,
+    };
+    let rotation = Rot2::from_angle(band.angle);
+    let at = |x: f32, y: f32| (rotation * Vec2::new(x, y)).to_pos2();
+    let points = band.points.as_slice();
+    let runs = points.chunk_by(|a, b| is_valid(a) && is_valid(b) && a.x < b.x);
+    runs.filter(|run| run.len() > 1)
+        .map(|run| {
+            let upper = run.iter().map(|point| at(point.x, point.y.min + inset));
+            let lower = run.iter().rev();
+            let lower = lower.map(|point| at(point.x, point.y.max - inset));
+            upper.chain(lower).collect()
+        })
+        .collect()
+}
+
+/// The part `uv` of a picture, each of its colours multiplied by `tint`.
+pub(super) fn cropped(image: &ColorImage, uv: Rect, tint: Color32) -> ColorImage {
+    if uv == WHOLE && tint == Color32::WHITE {
+        return image.clone();
+    }
+    let [width, height] = image.size;
+    let range = |low: f32, high: f32, size: usize| {
+        let end = |share: f32| (share.clamp(0.0, 1.0) * size as f32).round() as usize;
+        let first = end(low).min(size.saturating_sub(1));
+        first..end(high).max(first + 1).min(size)
+    };
+    let (columns, rows) = (
+        range(uv.left(), uv.right(), width),
+        range(uv.top(), uv.bottom(), height),
+    );
+    let pixels = rows.clone().flat_map(|row| {
+        let columns = columns.clone();
+        columns.filter_map(move |column| image.pixels.get(row * width + column).copied())
+    });
+    let pixels = pixels.map(|color| color * tint).collect();
+    ColorImage::new([columns.len(), rows.len()], pixels)
+}
+
+/// How often a triangle of several colours is divided: a side of it is eight long then.
+const DIVISIONS: usize = 3;
+
+/// A place and its colour.
+type Corner = (Pos2, Color32);
+
+/// Triangles of one colour each that stand for one whose corners have their own.
+pub(super) fn shades(corners: [Corner; 3]) -> Vec<([Pos2; 3], Color32)> {
+    let mut parts = vec![corners];
+    let [a, b, c] = corners.map(|(_, color)| color);
+    if a != b || b != c {
+        for _ in 0..DIVISIONS {
+            parts = parts.into_iter().flat_map(quartered).collect();
+        }
+    }
+    let flat = |part: [Corner; 3]| {
+        let [(_, a), (_, b), (_, c)] = part;
+        let mean = a.lerp_to_gamma(b, 0.5).lerp_to_gamma(c, 1.0 / 3.0);
+        let color = if a == b && b == c { a } else { mean };
+        (part.map(|(place, _)| place), color)
+    };
+    parts.into_iter().map(flat).collect()
+}
+
+fn quartered([a, b, c]: [Corner; 3]) -> [[Corner; 3]; 4] {
+    let between = |a: Corner, b: Corner| (a.0.lerp(b.0, 0.5), a.1.lerp_to_gamma(b.1, 0.5));
+    let (ab, bc, ca) = (between(a, b), between(b, c), between(c, a));
+    [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+}
+
+/// The path of a rectangle whose corners are not all as round.
+pub(super) fn rounded(rect: Rect, corners: CornerRadius) -> String {
+    let most = 0.5 * rect.width().min(rect.height());
+    let [nw, ne, se, sw] =
+        [corners.nw, corners.ne, corners.se, corners.sw].map(|r| f32::from(r).min(most));
+    let [left, right, top, bottom] =
+        [rect.left(), rect.right(), rect.top(), rect.bottom()].map(short);
+    let arc = |r: f32, x: &str, y: &str| format!("A{} {} 0 0 1 {x} {y}", short(r), short(r));
+    let inner = |edge: f32, by: f32| short(edge + by);
+    [
+        format!("M{} {top}", inner(rect.left(), nw)),
+        format!("L{} {top}", inner(rect.right(), -ne)),
+        arc(ne, &right, &inner(rect.top(), ne)),
+        format!("L{right} {}", inner(rect.bottom(), -se)),
+        arc(se, &inner(rect.right(), -se), &bottom),
+        format!("L{} {bottom}", inner(rect.left(), sw)),
+        arc(sw, &left, &inner(rect.bottom(), -sw)),
+        format!("L{left} {}", inner(rect.top(), nw)),
+        arc(nw, &inner(rect.left(), nw), &top),
+        "Z".to_owned(),
+    ]
+    .concat()
+}

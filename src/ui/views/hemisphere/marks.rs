@@ -1,0 +1,146 @@
+//! What is drawn over the disc: circles, axes, directions and deltas.
+
+use std::sync::Arc;
+
+use egui::{Align2, Rect, Ui};
+use glam::DVec3;
+
+use super::{LABELS, ViewContext, mirrored};
+use crate::analysis::Channel;
+use crate::analysis::hemisphere::{DeltaValue, Map, Quantity};
+use crate::bxdf::math::frame;
+use crate::ui::format;
+use crate::ui::session::{EntryId, Session};
+use crate::ui::theme::Palette;
+use crate::ui::widgets::{deltas, draw, pictures};
+
+/// The circles drawn, in degrees from n.
+const CIRCLES_DEG: [f64; 2] = [30.0, 60.0];
+
+/// Circles of equal angle from n, the axes and their names.
+pub(super) fn draw_grid(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
+    let painter = ui.painter();
+    let projection = session.views.hemisphere.projection;
+    let (centre, radius) = (rect.center(), 0.5 * rect.width());
+    let font = draw::small_font(ui);
+    painter.circle_stroke(centre, radius, (1.0, palette.axis));
+    for theta in CIRCLES_DEG {
+        let [x, _] = projection.place(frame::direction_from_degrees(theta, 0.0));
+        let at = x as f32 * radius;
+        painter.circle_stroke(centre, at, (0.6, palette.axis));
+        if radius > 70.0 {
+            let place = centre + egui::vec2(0.0, at);
+            let text = format::degrees(theta);
+            draw::haloed_text(
+                painter,
+                place,
+                Align2::CENTER_CENTER,
+                &text,
+                font.clone(),
+                palette.faint_ink,
+                palette,
+            );
+        }
+    }
+    let [right, top] = [rect.right_center(), rect.center_top()];
+    painter.text(
+        right + egui::vec2(4.0, 0.0),
+        Align2::LEFT_CENTER,
+        "s",
+        font.clone(),
+        palette.ink,
+    );
+    painter.text(
+        top - egui::vec2(0.0, 2.0),
+        Align2::CENTER_BOTTOM,
+        "t",
+        font,
+        palette.ink,
+    );
+}
+
+/// The mirror direction and the held one, where they are on the side shown.
+pub(super) fn draw_directions(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
+    let painter = ui.painter();
+    let held = session.held();
+    let mirror = DVec3::new(-held.x, -held.y, held.z);
+    for (w, color) in [(mirror, palette.mirror), (held, palette.held(session.hold))] {
+        let place = session.views.hemisphere.projection.place(w);
+        let at = pictures::position_of(rect, mirrored(place));
+        if (w.z > 0.0) == session.views.hemisphere.is_lower {
+            // On the other side of the surface: where it would be seen through it.
+            painter.circle_stroke(at, 4.0, (1.0, color));
+        } else {
+            painter.circle(at, 4.0, color, (1.5, palette.background));
+        }
+    }
+}
+
+/// What is written at a delta.
+pub(super) fn delta_label(value: &DeltaValue, session: &Session) -> String {
+    let options = session.views.hemisphere;
+    let number = Channel::Luminance.of(value.value);
+    let text = match options.quantity {
+        Quantity::F | Quantity::FCos => deltas::label(number),
+        other => format!(
+            "delta, {} {}",
+            other.title_of_delta(),
+            deltas::share(number)
+        ),
+    };
+    match (value.direction.z > 0.0, options.is_lower) {
+        (true, true) => text + ", above",
+        (false, false) => text + ", below",
+        _ => text,
+    }
+}
+
+/// Where a direction lies in a picture.
+pub(super) fn position(rect: Rect, w: DVec3, session: &Session) -> egui::Pos2 {
+    let place = session.views.hemisphere.projection.place(w);
+    pictures::position_of(rect, mirrored(place))
+}
+
+/// The deltas as rings; those to the other side where they would be seen through the surface.
+pub(super) fn draw_deltas(
+    ui: &Ui,
+    cx: &ViewContext<'_>,
+    rect: Rect,
+    (entry, map): (EntryId, &Arc<Map>),
+) {
+    let session = &*cx.session;
+    let Some(found) = session.materials.get(entry) else {
+        return;
+    };
+    let painter = ui.painter_at(rect.expand(LABELS));
+    let color = cx.palette.material(found.slot());
+    let mut taken = Vec::new();
+    for value in &map.deltas {
+        let is_on_side = (value.direction.z > 0.0) != session.views.hemisphere.is_lower;
+        let at = position(rect, value.direction, session);
+        deltas::ring(&painter, at, (color, cx.palette), is_on_side);
+        taken.push(Rect::from_center_size(
+            at,
+            egui::Vec2::splat(2.0 * deltas::BESIDE_RING),
+        ));
+    }
+    for value in &map.deltas {
+        let at = position(rect, value.direction, session);
+        // Towards the middle, unless another ring stands there.
+        let inwards = (rect.center().x - at.x).signum();
+        let is_other = |other: &&DeltaValue| {
+            let gap = position(rect, other.direction, session) - at;
+            gap.x * inwards > 1.0 && gap.y.abs() < 2.0 * deltas::BESIDE_RING
+        };
+        let is_blocked = map.deltas.iter().any(|other| is_other(&other));
+        let (anchor, aside) = if (inwards < 0.0) == is_blocked {
+            (Align2::LEFT_CENTER, deltas::BESIDE_RING + 1.0)
+        } else {
+            (Align2::RIGHT_CENTER, -deltas::BESIDE_RING - 1.0)
+        };
+        let place = (at + egui::vec2(aside, 0.0), anchor);
+        let text = delta_label(value, session);
+        let look = (cx.palette.ink, cx.palette);
+        deltas::write(ui, &painter, &mut taken, place, &text, look);
+    }
+}

@@ -1,0 +1,123 @@
+//! What the picker lists: models and named materials.
+
+use crate::bxdf::material::library::{self, Named};
+use crate::bxdf::models::{self, MODELS};
+use crate::bxdf::{Category, Material, ModelSpec};
+use crate::ui::widgets::hits::Known;
+
+/// Which list is shown.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum List {
+    Models,
+    Materials,
+}
+
+impl List {
+    /// The word for it.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Models => "models",
+            Self::Materials => "materials",
+        }
+    }
+
+    /// What stands in it, by category.
+    pub(super) fn entries(self) -> Vec<Entry> {
+        let mut all: Vec<Entry> = match self {
+            Self::Models => MODELS.into_iter().map(Entry::Model).collect(),
+            Self::Materials => library::all().iter().map(Entry::Named).collect(),
+        };
+        all.sort_by_key(|entry| entry.category());
+        all
+    }
+
+    /// The other one.
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::Models => Self::Materials,
+            Self::Materials => Self::Models,
+        }
+    }
+}
+
+/// A row of a list.
+#[derive(Clone, Copy)]
+pub(super) enum Entry {
+    Model(&'static ModelSpec),
+    Named(&'static Named),
+}
+
+impl Entry {
+    /// What `material` was chosen as, whatever was changed since. `None` for a file of the user's own.
+    pub(super) fn of(material: &Material) -> Option<Self> {
+        if material.name.is_empty() {
+            let model = material.components().first()?.model();
+            return models::find(model.id).ok().map(Self::Model);
+        }
+        library::origin(material).map(Self::Named)
+    }
+
+    /// Whether `material` was chosen as this.
+    pub(super) fn is_origin_of(self, material: &Material) -> bool {
+        Self::of(material).is_some_and(|origin| origin.id() == self.id())
+    }
+
+    /// Its id: no model has that of a named material.
+    pub(super) fn id(self) -> &'static str {
+        match self {
+            Self::Model(model) => model.id,
+            Self::Named(named) => named.id,
+        }
+    }
+
+    pub(super) fn category(self) -> Category {
+        match self {
+            Self::Model(model) => model.category(),
+            Self::Named(named) => named.material.category(),
+        }
+    }
+
+    /// The material as it stands in the list.
+    pub(super) fn material(self) -> Material {
+        match self {
+            Self::Model(model) => Material::of(model),
+            Self::Named(named) => named.material.clone(),
+        }
+    }
+
+    pub(super) fn hint(self) -> String {
+        match self {
+            Self::Model(model) => {
+                let ModelSpec {
+                    summary, source, ..
+                } = model;
+                format!("{summary}\n\n{source}\n\nR: reflects, T: transmits")
+            }
+            Self::Named(Named { material, .. }) => {
+                format!("{}\n\n{}", material.note, material.source)
+            }
+        }
+    }
+
+    /// What it is found by: names, then category, author or note, and models.
+    pub(super) fn known(self) -> Known<'static> {
+        let category = self.category().title();
+        match self {
+            Self::Model(model) => Known {
+                names: vec![model.title, model.id],
+                texts: vec![category, model.source],
+            },
+            Self::Named(Named { id, material }) => {
+                let models = material.components().iter();
+                let models = models.flat_map(|one| [one.model().title, one.model().id]);
+                Known {
+                    names: vec![material.name.as_str(), *id],
+                    texts: [category, material.note.as_str()]
+                        .into_iter()
+                        .chain(models)
+                        .collect(),
+                }
+            }
+        }
+    }
+}

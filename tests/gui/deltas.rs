@@ -1,0 +1,194 @@
+//! Dirac deltas in every view that shows values: a stem or a mark with its share, never plain zero.
+
+use brdf_explorer::analysis::cartesian::Abscissa;
+use brdf_explorer::analysis::hemisphere::{Comparison, Quantity};
+use brdf_explorer::bxdf::material::file;
+use brdf_explorer::ui::data::Data;
+use brdf_explorer::ui::session::{Materials, SamplingPlot, Session};
+use egui::{Color32, Rect, Shape, Theme};
+
+use super::{picture, session};
+
+const MIRROR: &str = "specular_reflection:reflectance=0.9";
+const GLASS: &str = "fresnel_specular:eta=1.5";
+
+/// The views that have a place for a delta.
+const VIEWS: [&str; 9] = [
+    "sphere",
+    "polar",
+    "lobe3d",
+    "cartesian",
+    "hemisphere",
+    "slice",
+    "sampling",
+    "decomposition",
+    "inspector",
+];
+
+/// A mirror that lies on a diffuse surface, half of each.
+fn mixture() -> Session {
+    let text = "name = \"Half a mirror\"\n[[lobes]]\nmodel = \"specular_reflection\"\nweight = 0.5\nreflectance = 0.9\n\
+        [[lobes]]\nmodel = \"lambertian_reflection\"\nweight = 0.5\nreflectance = 1.0\n";
+    let material = file::parse(text, "mixture").unwrap();
+    let mut shown = session(&[MIRROR]);
+    shown.materials = Materials::new(vec![material]).unwrap();
+    shown
+}
+
+/// All shapes that a view paints, one by one.
+fn shapes(shown: &Session, view: &str) -> Vec<Shape> {
+    fn each(shape: &Shape, all: &mut Vec<Shape>) {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| each(shape, all)),
+            shape => all.push(shape.clone()),
+        }
+    }
+    let mut shown = shown.clone();
+    shown.views.sampling.plot = SamplingPlot::Curves;
+    let harness = picture(shown, Some(view), [640, 480], Theme::Dark).shapes();
+    let mut all = Vec::new();
+    for clipped in &harness.output().shapes {
+        each(&clipped.shape, &mut all);
+    }
+    all
+}
+
+/// The texts that a view paints, with their places.
+fn texts(shown: &Session, view: &str) -> Vec<(String, Rect)> {
+    let text = |shape: Shape| match shape {
+        Shape::Text(text) => Some((text.galley.text().to_owned(), text.visual_bounding_rect())),
+        _ => None,
+    };
+    shapes(shown, view).into_iter().filter_map(text).collect()
+}
+
+fn has(shown: &Session, view: &str, part: &str) -> bool {
+    let texts = texts(shown, view);
+    texts.iter().any(|(text, _)| text.contains(part))
+}
+
+#[test]
+fn every_view_shows_a_delta_with_its_share() {
+    for view in VIEWS {
+        // The chance of the mirror is that of its light among all.
+        let [whole, half] = match view {
+            "sampling" => ["1.000", "0.474"],
+            _ => ["0.900", "0.450"],
+        };
+        assert!(has(&session(&[MIRROR]), view, whole), "{view}: a mirror");
+        assert!(has(&mixture(), view, half), "{view}: half a mirror");
+        let glass = session(&[GLASS]);
+        let entry = glass.materials.selected();
+        let arrows = Data::new(None, || {}).arrows(&glass, entry);
+        assert_eq!(arrows.len(), 2);
+        for arrow in arrows.iter() {
+            // The sphere has its own angles; what crosses the surface has no half vector in the slice.
+            let is_elsewhere = view == "slice" && arrow.direction.z < 0.0;
+            if view != "sphere" && !is_elsewhere {
+                let share = format!("{:.3}", arrow.flux[1]);
+                assert!(has(&glass, view, &share), "{view}: {share}");
+            }
+        }
+        let nothing = session(&["lambertian_reflection"]);
+        assert!(!has(&nothing, view, "delta"), "{view}: no delta");
+    }
+}
+
+#[test]
+fn stems_and_rings_have_the_colour_of_their_material() {
+    for view in ["cartesian", "hemisphere", "slice", "polar"] {
+        let shown = session(&["lambertian_reflection", MIRROR]);
+        let mirror = shown.materials.iter().nth(1).unwrap();
+        let palette = brdf_explorer::ui::theme::Palette::of(Theme::Dark);
+        let color: Color32 = palette.material(mirror.slot());
+        let is_mark = |shape: &Shape| match shape {
+            // The head of a stem has three corners.
+            Shape::Path(path) => path.closed && path.points.len() == 3 && path.fill == color,
+            Shape::Circle(circle) => circle.stroke.color == color && circle.radius > 6.0,
+            _ => false,
+        };
+        let count = |shown| shapes(shown, view).iter().filter(|s| is_mark(s)).count();
+        assert_eq!(count(&shown), 1, "{view}");
+        assert_eq!(count(&session(&["lambertian_reflection"; 2])), 0, "{view}");
+    }
+}
+
+#[test]
+fn a_mirror_stands_where_the_half_vector_is_the_normal() {
+    let mut shown = session(&[GLASS]);
+    let options = &mut shown.views.cartesian;
+    (options.abscissa, options.fixed_deg) = (Abscissa::Half, 0.0);
+    // At theta_d = 0: ((1.5 - 1) / (1.5 + 1))^2.
+    assert!(has(&shown, "cartesian", "delta 0.040"));
+    assert!(has(&shown, "cartesian", "no half vector"));
+    shown.views.cartesian.abscissa = Abscissa::Difference;
+    shown.theta_deg = 0.0;
+    assert!(has(&shown, "cartesian", "delta 0.040"));
+    assert!(!has(&shown, "cartesian", "delta 0.040, at"));
+    shown.views.cartesian.fixed_deg = 20.0;
+    assert!(has(&shown, "cartesian", "delta 0.040, at θh 0°"));
+}
+
+#[test]
+fn a_delta_outside_the_section_is_shown_as_such() {
+    let mut shown = session(&[MIRROR]);
+    for view in ["cartesian", "decomposition"] {
+        shown.section_phi_deg = None;
+        assert!(!has(&shown, view, "outside this section"), "{view}");
+        shown.section_phi_deg = Some(40.0);
+        assert!(
+            has(&shown, view, "delta 0.900, outside this section"),
+            "{view}"
+        );
+    }
+    assert!(has(&shown, "polar", "Dashed: outside this section"));
+    assert!(has(&shown, "polar", "delta 0.900"));
+}
+
+#[test]
+fn comparisons_are_of_shares_and_quantities_have_their_own() {
+    let mut shown = session(&["specular_reflection:reflectance=0.4", MIRROR]);
+    let first = shown.materials.iter().next().unwrap().id();
+    shown.materials.compare_with(first);
+    shown.views.cartesian.is_residual = true;
+    assert!(has(&shown, "cartesian", "delta 0.500"));
+    assert!(!has(&shown, "cartesian", "delta 0.900"));
+    for (comparison, text) in [
+        (Comparison::Difference, "delta 0.500"),
+        (Comparison::Ratio, "delta 2.250"),
+    ] {
+        shown.views.hemisphere.comparison = comparison;
+        assert!(has(&shown, "hemisphere", text), "{text}");
+    }
+    let mut shown = session(&[GLASS]);
+    shown.theta_deg = 0.0;
+    for (quantity, text) in [
+        (Quantity::FCos, "delta 0.040"),
+        (Quantity::Pdf, "delta, probability 0.040"),
+        (Quantity::Weight, "delta, weight 1.000"),
+    ] {
+        shown.views.hemisphere.quantity = quantity;
+        assert!(has(&shown, "hemisphere", text), "{text}");
+    }
+    shown.views.hemisphere.is_lower = true;
+    shown.views.hemisphere.quantity = Quantity::F;
+    assert!(has(&shown, "hemisphere", "delta 0.040, above"));
+    assert!(has(&shown, "hemisphere", "delta 0.960"));
+}
+
+#[test]
+fn labels_of_many_deltas_do_not_lie_on_one_another() {
+    let mirrors = [0.9, 0.9, 0.89, 0.88, 0.6]
+        .map(|reflectance| format!("specular_reflection:reflectance={reflectance}"));
+    let mirrors: Vec<&str> = mirrors.iter().map(String::as_str).collect();
+    for view in ["cartesian", "polar", "lobe3d"] {
+        let texts = texts(&session(&mirrors), view);
+        let is_delta = |(text, _): &&(String, Rect)| text.starts_with("delta ");
+        let places: Vec<Rect> = texts.iter().filter(is_delta).map(|(_, at)| *at).collect();
+        assert_eq!(places.len(), mirrors.len(), "{view}: {texts:?}");
+        for (index, place) in places.iter().enumerate() {
+            let is_apart = |other: &Rect| !other.intersects(*place);
+            assert!(places[..index].iter().all(is_apart), "{view}: {places:?}");
+        }
+    }
+}
