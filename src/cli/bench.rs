@@ -12,7 +12,7 @@ use crate::bxdf::models::MODELS;
 use crate::bxdf::{Material, Precision, Side, batch};
 use crate::error::{self, Error, Result, shown};
 use crate::files;
-use crate::lab::speed::{Control, Mode, Operation, PAIRS, Pairs, Row, control, measure};
+use crate::lab::speed::{Control, Mode, Operation, PAIRS, Pairs, Row, measure};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -50,7 +50,7 @@ struct Report {
     instruction_set: String,
     threads: usize,
     pairs: usize,
-    /// Only where all threads are measured.
+    /// The median of those of the rows, where all threads are measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     control: Option<Control>,
     #[serde(skip)]
@@ -86,9 +86,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
             rows.extend(rows_of::<f64>(text, &material, &modes, file.as_deref()));
         }
     }
-    let control = modes.contains(&Mode::Parallel).then(control);
+    let controls: Vec<Control> = rows.iter().filter_map(|row| row.control.clone()).collect();
     let report = Report {
-        control,
+        control: Control::median_of(&controls),
         machine: check::machine(),
         instruction_set: batch::instruction_set(),
         threads: rayon::current_num_threads(),

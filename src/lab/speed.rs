@@ -165,6 +165,9 @@ pub struct Row {
     pub ns: f64,
     /// The first and the third quartile.
     pub spread: [f64; 2],
+    /// What threads brought plain arithmetic meanwhile, where this ran on all of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub control: Option<Control>,
 }
 
 /// What threads bring on this machine at this moment: the same plain arithmetic on one and on all of them.
@@ -176,39 +179,36 @@ pub struct Control {
     pub all_threads_ns: f64,
 }
 
-/// Measures arithmetic that touches no memory, on one thread and on all in turns: no batch gains more from threads, and on
-/// a machine whose cores are busy this gains as little as they do.
-#[must_use]
-pub fn control() -> Control {
+impl Control {
+    /// The medians of several, each by itself; none of none.
+    #[must_use]
+    pub fn median_of(all: &[Self]) -> Option<Self> {
+        let median = |of: fn(&Self) -> f64| Timing::of(all.iter().map(of).collect()).ns;
+        (!all.is_empty()).then(|| Self {
+            one_thread_ns: median(|one| one.one_thread_ns),
+            all_threads_ns: median(|one| one.all_threads_ns),
+        })
+    }
+}
+
+/// Arithmetic that touches no memory: no batch gains more from threads, and on a machine whose cores are busy this gains as
+/// little as they do.
+fn plain_arithmetic(is_parallel: bool) {
     let steps =
         |count: usize| (0..count).fold(0.5, |x: f64, _| std::hint::black_box(1.25 * x * (1.0 - x)));
     let parts = PAIRS / CHUNK;
-    let mut times = [(); 2].map(|()| Vec::with_capacity(REPETITIONS));
-    for round in 0..=REPETITIONS {
-        for (is_parallel, times) in [false, true].into_iter().zip(&mut times) {
-            let start = Instant::now();
-            let sum: f64 = if is_parallel {
-                (0..parts).into_par_iter().map(|_| steps(CHUNK)).sum()
-            } else {
-                (0..parts).map(|_| steps(CHUNK)).sum()
-            };
-            std::hint::black_box(sum);
-            if round > 0 {
-                times.push(start.elapsed().as_secs_f64() * 1e9 / PAIRS as f64);
-            }
-        }
-    }
-    let [one, all] = times.map(|times| Timing::of(times).ns);
-    Control {
-        one_thread_ns: one,
-        all_threads_ns: all,
-    }
+    let sum: f64 = if is_parallel {
+        (0..parts).into_par_iter().map(|_| steps(CHUNK)).sum()
+    } else {
+        (0..parts).map(|_| steps(CHUNK)).sum()
+    };
+    std::hint::black_box(sum);
 }
 
 /// Measures `operation` of `material` on `pairs`, run in each of `modes`.
 ///
 /// The modes take turns, so that what the machine does besides slows all of them alike: their ratios hold where their
-/// times do not.
+/// times do not. Where all threads are measured, plain arithmetic on one and on all takes its turns with them.
 #[must_use]
 pub fn measure<R: Precision + Real<Stored = R>>(
     material: &Material,
@@ -219,16 +219,33 @@ pub fn measure<R: Precision + Real<Stored = R>>(
     let bxdf = material.build::<R>();
     let mut out = Columns::filled(R::zero(), pairs.len());
     let mut times = vec![Vec::with_capacity(REPETITIONS); modes.len()];
+    let mut controls = [(); 2].map(|()| Vec::with_capacity(REPETITIONS));
+    let has_control = modes.contains(&Mode::Parallel);
     for round in 0..=REPETITIONS {
-        for (mode, times) in modes.iter().zip(&mut times) {
+        // The first round warms up: the pages of the output are touched, the clock is raised, the threads are awake.
+        let time = |times: &mut Vec<f64>, count: usize, work: &mut dyn FnMut()| {
             let start = Instant::now();
-            run(&*bxdf, pairs, operation, *mode, &mut out);
-            // The first round warms up: the pages of the output are touched, the clock is raised, the threads are awake.
+            work();
             if round > 0 {
-                times.push(start.elapsed().as_secs_f64() * 1e9 / pairs.len() as f64);
+                times.push(start.elapsed().as_secs_f64() * 1e9 / count as f64);
+            }
+        };
+        for (mode, times) in modes.iter().zip(&mut times) {
+            time(times, pairs.len(), &mut || {
+                run(&*bxdf, pairs, operation, *mode, &mut out);
+            });
+        }
+        for (is_parallel, times) in [false, true].into_iter().zip(&mut controls) {
+            if has_control {
+                time(times, PAIRS, &mut || plain_arithmetic(is_parallel));
             }
         }
     }
+    let [one, all] = controls.map(|times| Timing::of(times).ns);
+    let control = Control {
+        one_thread_ns: one,
+        all_threads_ns: all,
+    };
     let row = |(mode, times): (&Mode, Vec<f64>)| {
         let Timing { ns, spread } = Timing::of(times);
         Row {
@@ -239,6 +256,7 @@ pub fn measure<R: Precision + Real<Stored = R>>(
             bytes: operation.numbers() * size_of::<R>(),
             ns,
             spread,
+            control: (*mode == Mode::Parallel).then(|| control.clone()),
         }
     };
     modes.iter().zip(times).map(row).collect()
@@ -367,6 +385,7 @@ mod tests {
         let rows = measure(&material, &pairs, Operation::Pdf, &Mode::ALL);
         assert!(rows.iter().map(|row| row.path).eq(Mode::ALL));
         for row in rows {
+            assert_eq!(row.control.is_some(), row.path == Mode::Parallel);
             assert!(row.ns > 0.0 && row.spread[0] <= row.ns && row.ns <= row.spread[1]);
             assert_eq!(
                 (row.precision, row.material.as_str()),

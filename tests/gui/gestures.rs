@@ -243,6 +243,31 @@ fn what_was_panned_or_zoomed_is_reset() {
 }
 
 #[test]
+fn what_was_panned_stays_in_another_room() {
+    // As where a notice opens below the views: it took the pan with it.
+    for view in ["polar", "cartesian"] {
+        let mut harness = alone(view, "gold");
+        let at = match view {
+            "polar" => middle(&harness, "Held direction in the polar plot") + vec2(60.0, 60.0),
+            _ => canvas(&harness, "Cartesian plot").center(),
+        };
+        feed(&mut harness, swipe(at, vec2(60.0, 20.0)));
+        let reset = |harness: &Harness<'_, App>| harness.query_by_label(RESET).is_some();
+        assert!(reset(&harness), "{view}");
+        let size = harness.ctx.content_rect().size();
+        harness.set_size(size - vec2(0.0, 40.0));
+        harness.run();
+        assert!(reset(&harness), "{view}");
+        // What was not panned fills the new room.
+        harness.get_by_label(RESET).click();
+        harness.run();
+        harness.set_size(size);
+        harness.run();
+        assert!(!reset(&harness), "{view}");
+    }
+}
+
+#[test]
 fn pictures_have_nothing_to_click() {
     let mut shown = session(&["gold"]);
     shown.camera.orbit(vec2(40.0, 10.0));

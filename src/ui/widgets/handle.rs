@@ -7,6 +7,9 @@ use egui::{
 
 use crate::ui::theme::{HANDLE_RADIUS, HANDLE_REACH, Palette};
 
+/// What is left free about a handle, in points.
+const LABEL_GAP: f32 = 6.0;
+
 /// A handle on the screen.
 pub struct Handle {
     response: Option<Response>,
@@ -41,6 +44,12 @@ impl Handle {
     pub fn dragged_to(&self) -> Option<Pos2> {
         self.place
     }
+}
+
+/// What a handle at `middle` covers: no label stands there.
+#[must_use]
+pub fn room(middle: Pos2) -> Rect {
+    Rect::from_center_size(middle, Vec2::splat(2.0 * HANDLE_RADIUS + LABEL_GAP))
 }
 
 /// A handle at `middle`, with its name for tests and screen readers. It is there only inside of `room`, but goes on while it

@@ -27,17 +27,34 @@ pub fn show(ui: &mut Ui, shares: &[LobeShare], palette: &Palette) {
     let found = Reflectance::of(shares);
     let parts = parts(shares, palette);
     bar(ui, &parts, palette).on_hover_ui(|ui| legend(ui, &parts, found.error, palette));
-    let [reflected, transmitted, absorbed] = rounded(&found);
-    let text =
-        format!("reflected {reflected:.3} | transmitted {transmitted:.3} | absorbed {absorbed:.3}");
-    ui.label(text)
+    ui.label(sums(&found))
         .on_hover_ui(|ui| legend(ui, &parts, found.error, palette));
-    if found.largest() > 1.0 + found.error + EXCESS {
+    if creates_energy(&found) {
         ui.colored_label(palette.warning, "creates energy")
             .on_hover_text(format!(
                 "More light leaves than arrives: {:.3} times as much, in the channel that gains most",
                 found.largest()
             ));
+    }
+}
+
+fn creates_energy(found: &Reflectance) -> bool {
+    found.largest() > 1.0 + found.error + EXCESS
+}
+
+/// What becomes of the light, in words. Where energy is created, what is left of it is no share that is absorbed.
+fn sums(found: &Reflectance) -> String {
+    let [reflected, transmitted, rest] = rounded(found);
+    let (verb, rest) = named_rest(rest);
+    format!("reflected {reflected:.3} | transmitted {transmitted:.3} | {verb} {rest:.3}")
+}
+
+/// What the rest to 1 is, and how much of it.
+fn named_rest(rest: f64) -> (&'static str, f64) {
+    if rest < 0.0 {
+        ("created", -rest)
+    } else {
+        ("absorbed", rest)
     }
 }
 
@@ -61,24 +78,32 @@ fn parts(shares: &[LobeShare], palette: &Palette) -> Vec<Part> {
         })
         .collect();
     let [_, _, absorbed] = rounded(&Reflectance::of(shares));
-    parts.push(Part {
-        name: "Absorbed".to_owned(),
-        share: absorbed,
-        color: palette.absorbed,
-        is_hatched: false,
-    });
+    // What is created is among the parts above.
+    if absorbed >= 0.0 {
+        parts.push(Part {
+            name: "Absorbed".to_owned(),
+            share: absorbed,
+            color: palette.absorbed,
+            is_hatched: false,
+        });
+    }
     parts
 }
 
 /// The luminance of what is reflected, transmitted and absorbed, in thousandths; they sum to 1 exactly, the rest being
-/// what is absorbed.
+/// what is absorbed. It is negative where energy is created; an excess that is an error of the integral is none.
 fn rounded(shares: &Reflectance) -> [f64; 3] {
     let thousandths = |rgb: [f64; 3]| (Channel::Luminance.of(rgb) * 1000.0).round() / 1000.0;
     let (reflected, transmitted) = (
         thousandths(shares.reflection),
         thousandths(shares.transmission),
     );
-    let absorbed = ((1.0 - reflected - transmitted) * 1000.0).round() / 1000.0;
+    let rest = ((1.0 - reflected - transmitted) * 1000.0).round() / 1000.0;
+    let absorbed = if creates_energy(shares) {
+        rest
+    } else {
+        rest.max(0.0)
+    };
     // Adding 0 turns the -0 of rounding into 0.
     [reflected, transmitted, absorbed + 0.0]
 }
@@ -153,6 +178,31 @@ mod tests {
             error: 0.0,
         };
         assert_eq!(rounded(&all), [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn what_is_created_is_not_called_absorbed() {
+        let of = |reflected: f64| Reflectance {
+            reflection: [reflected; 3],
+            transmission: [0.0; 3],
+            error: 1e-3,
+        };
+        let expected = "reflected 1.329 | transmitted 0.000 | created 0.329";
+        assert_eq!(sums(&of(1.329)), expected);
+        let expected = "reflected 1.002 | transmitted 0.000 | absorbed 0.000";
+        assert_eq!(sums(&of(1.002)), expected);
+        let lobe = Lobe::reflection(Category::Diffuse);
+        let share = |value: f64| LobeShare {
+            lobe,
+            value: [value; 3],
+            error: 0.0,
+        };
+        let names = |value: f64| {
+            let parts = parts(&[share(value)], &Palette::of(egui::Theme::Dark));
+            parts.into_iter().map(|part| part.name).collect::<Vec<_>>()
+        };
+        assert_eq!(names(1.3), ["Diffuse, reflected"]);
+        assert_eq!(names(0.3), ["Diffuse, reflected", "Absorbed"]);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use crate::bxdf::math::frame;
 use crate::ui::format;
 use crate::ui::session::{EntryId, Session};
 use crate::ui::theme::Palette;
-use crate::ui::widgets::{deltas, draw, pictures};
+use crate::ui::widgets::{deltas, draw, handle, pictures};
 
 /// The circles drawn, in degrees from n.
 const CIRCLES_DEG: [f64; 2] = [30.0, 60.0];
@@ -114,7 +114,11 @@ pub(super) fn draw_deltas(
     };
     let painter = ui.painter_at(rect.expand(LABELS));
     let color = cx.palette.material(found.slot());
+    let held = session.held();
     let mut taken = Vec::new();
+    if (held.z > 0.0) != session.views.hemisphere.is_lower {
+        taken.push(handle::room(position(rect, held, session)));
+    }
     for value in &map.deltas {
         let is_on_side = (value.direction.z > 0.0) != session.views.hemisphere.is_lower;
         let at = position(rect, value.direction, session);

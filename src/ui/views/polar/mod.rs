@@ -1,7 +1,7 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
 use egui::{IdSalt, Ui, vec2};
-use egui_plot::{Plot, PlotBounds, PlotPoint, PlotTransform};
+use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::{Cursor, ViewContext, ViewSpec};
 use crate::analysis::{deltas, polar};
@@ -46,8 +46,9 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let radial = Radial::of(cx.session, sections, has_deltas);
     let has_lower = cx.state.shows_lower_half(cx.session);
     let window = window(ui.available_size(), has_lower);
-    let salt = ("polar", has_lower, ui.available_size().round().to_string());
-    let id = ui.make_persistent_id(IdSalt::new(&salt));
+    let salt = ("polar", has_lower);
+    let id = ui.make_persistent_id(IdSalt::new(salt));
+    let is_new = PlotMemory::load(ui.ctx(), id).is_none();
     let plot = Plot::new(salt)
         .id(id)
         .data_aspect(1.0)
@@ -65,6 +66,10 @@ fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .label_formatter(|_| None);
     let palette = *cx.palette;
     let response = plot.show(ui, |plot_ui| {
+        if is_new {
+            // The window follows the room until it is panned or zoomed; what is panned stays so in any room.
+            plot_ui.set_auto_bounds(true);
+        }
         draw::zoom_by_scrolling(plot_ui);
         canvas::draw_grid(plot_ui, &radial, &palette, has_lower);
         for one in &plotted {

@@ -8,7 +8,7 @@ use super::position;
 use crate::analysis::sphere::{self, Light};
 use crate::analysis::{Channel, Subject};
 use crate::bxdf::math::frame;
-use crate::ui::session::{EntryId, LIGHT_PHI, LIGHT_THETA};
+use crate::ui::session::{EntryId, LIGHT_PHI, LIGHT_THETA, Session};
 use crate::ui::widgets::{deltas, handle, pictures};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.
@@ -40,23 +40,30 @@ pub(super) fn mark_glint(
         let place = (beside, Align2::LEFT_CENTER);
         let text = deltas::label(Channel::Luminance.of(flux));
         let look = (cx.palette.ink, cx.palette);
-        deltas::write(ui, &painter, &mut Vec::new(), place, &text, look);
+        let mut taken = vec![handle::room(position(rect, handle_place(session)))];
+        deltas::write(ui, &painter, &mut taken, place, &text, look);
     }
 }
 
-/// The handle of the light: on the sphere where it faces the light, outside of it where the light stands behind.
-pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
-    let options = &mut cx.session.views.sphere;
-    if !options.light.has_direction() {
-        return;
-    }
+/// Where the light's handle is, in radii of the sphere: on the sphere where it faces the light, outside of it where the light
+/// stands behind.
+fn handle_place(session: &Session) -> [f64; 2] {
+    let options = &session.views.sphere;
     let (sin, cos) = options.phi_deg.to_radians().sin_cos();
     let reach = if options.theta_deg <= 90.0 {
         options.theta_deg.to_radians().sin()
     } else {
         1.0 + BEHIND * (options.theta_deg - 90.0) / 90.0
     };
-    let at = position(rect, [reach * cos, reach * sin]);
+    [reach * cos, reach * sin]
+}
+
+/// The handle of the light.
+pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
+    if !cx.session.views.sphere.light.has_direction() {
+        return;
+    }
+    let at = position(rect, handle_place(cx.session));
     let id = ui.scope_id().with("light of the sphere");
     let named = (id, "Light of the sphere", ui.clip_rect());
     let handle = handle::show(ui, at, named, cx.palette.light, cx.palette);
@@ -75,6 +82,7 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
     } else {
         90.0 + 90.0 * ((radius - 1.0) / BEHIND).min(1.0)
     };
+    let options = &mut cx.session.views.sphere;
     let tenth = |angle: f64| (10.0 * angle).round() / 10.0;
     LIGHT_THETA.put(&mut options.theta_deg, tenth(theta_deg));
     if radius > 1e-3 {
