@@ -11,11 +11,11 @@ use brdf_explorer::Result;
 use brdf_explorer::analysis::Detail;
 use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
+use brdf_explorer::study::jobs::Clock;
+use brdf_explorer::study::platform;
+use brdf_explorer::study::session::{Layout, Materials, Part, READY_LAYOUTS, Session, ViewId};
+use brdf_explorer::study::views::{VIEWS, ViewKind};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::jobs::Clock;
-use brdf_explorer::ui::platform;
-use brdf_explorer::ui::session::{Layout, Materials, Part, READY_LAYOUTS, Session, ViewId};
-use brdf_explorer::ui::views::{VIEWS, ViewSpec};
 use egui_kittest::Harness;
 
 /// Frames measured per gesture.
@@ -100,7 +100,7 @@ fn eight() -> Result<Session> {
 fn every_view() -> Layout {
     const IN_A_ROW: usize = 3;
     let part = |place| Part { share: 1.0, place };
-    let row = |views: &'static [ViewSpec]| {
+    let row = |views: &'static [ViewKind]| {
         let views = views.iter().map(|view| Layout::View(ViewId::of(view)));
         part(Layout::Row(views.map(part).collect()))
     };

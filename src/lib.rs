@@ -27,6 +27,7 @@ pub mod error;
 pub mod files;
 pub mod lab;
 pub mod parallel;
+pub mod study;
 #[cfg(feature = "gui")]
 pub mod ui;
 

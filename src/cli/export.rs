@@ -5,8 +5,8 @@ use std::path::Path;
 use super::output;
 use super::render::{self, RenderArgs};
 use crate::error::{Error, Result};
-use crate::ui::export::{self, FORMATS};
-use crate::ui::views;
+use crate::study::export::{self, FORMATS};
+use crate::study::views;
 
 /// Writes the file that the request names; what it holds follows from the end of its name.
 ///
@@ -18,10 +18,15 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
     let format = extension
         .and_then(export::format_of)
         .ok_or_else(|| unknown(&request.output))?;
-    let mut picture = render::picture(request)?;
+    let session = render::session(request)?;
     // A file shows one view: the first one where none is named.
-    picture.only = picture.only.or_else(|| views::VIEWS.first());
-    output::write(&request.output, &export::bytes(picture, format)?)
+    let view = render::view(request)?.or_else(|| views::VIEWS.first());
+    let theme = request.theme.unwrap_or_default();
+    let bytes = match export::text(&session, view, theme, format) {
+        Some(bytes) => bytes?,
+        None => render::drawn(request, session, view, format)?,
+    };
+    output::write(&request.output, &bytes)
 }
 
 fn unknown(path: &Path) -> Error {

@@ -8,14 +8,12 @@ mod args;
 mod bench;
 mod check;
 mod eval;
-#[cfg(feature = "gui")]
 mod export;
 pub mod input;
 mod models;
 mod output;
 mod partial;
-#[cfg(any(feature = "gui", test))]
-pub mod render;
+mod render;
 #[cfg(all(feature = "gui", unix, not(target_vendor = "apple")))]
 mod restart;
 mod sample;
@@ -72,27 +70,10 @@ enum Verb {
     /// Measure how fast the models are on this machine
     Bench(bench::Arguments),
     /// Render the window into a picture
-    #[cfg(feature = "gui")]
+    #[cfg_attr(not(feature = "gui"), command(hide = true))]
     Render(render::Arguments),
     /// Export a view as picture, drawing, numbers or mesh, or the material
-    #[cfg(feature = "gui")]
     Export(render::Arguments),
-    /// Export a view; not in this build
-    #[cfg(not(feature = "gui"))]
-    #[command(hide = true)]
-    Export(NoWindow),
-    /// Render the window into a picture; not in this build
-    #[cfg(not(feature = "gui"))]
-    #[command(hide = true)]
-    Render(NoWindow),
-}
-
-/// Whatever stands after a verb that this build lacks.
-#[cfg(not(feature = "gui"))]
-#[derive(clap::Args)]
-struct NoWindow {
-    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-    _words: Vec<std::ffi::OsString>,
 }
 
 /// The whole program: reads the arguments of the process, does what they ask, and says how it went.
@@ -144,12 +125,8 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
                 return Ok(ExitCode::from(CHECK_FAILED));
             }
         }
-        #[cfg(feature = "gui")]
         Some(Verb::Render(arguments)) => render::run(&arguments.request()?)?,
-        #[cfg(feature = "gui")]
         Some(Verb::Export(arguments)) => export::run(&arguments.request()?)?,
-        #[cfg(not(feature = "gui"))]
-        Some(Verb::Render(_) | Verb::Export(_)) => window()?,
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -161,10 +138,16 @@ fn window() -> Result<()> {
 
 #[cfg(not(all(feature = "gui", not(target_arch = "wasm32"))))]
 fn window() -> Result<()> {
-    Err(Error::Platform {
+    Err(no_window())
+}
+
+/// What is said where a build has no window.
+#[cfg(not(all(feature = "gui", not(target_arch = "wasm32"))))]
+fn no_window() -> Error {
+    Error::Platform {
         problem: "this build has no window and draws no pictures".to_owned(),
         remedy: "build it with the gui feature, or name another verb (see --help)".to_owned(),
-    })
+    }
 }
 
 /// The arguments that `words`, the first of which is the program's name, stand for.

@@ -1,4 +1,5 @@
-//! `render`: the window as a picture. The one file of the command line that knows the window.
+//! `render`: the window as a picture. The one file of the command line that knows the window; its arguments are those of
+//! `export` too.
 
 use std::path::{Path, PathBuf};
 
@@ -6,6 +7,10 @@ use super::args::{self, Angles, Given};
 use crate::analysis::Hold;
 use crate::bxdf::Material;
 use crate::error::{Error, Result, shown};
+use crate::study::colors::Theme;
+use crate::study::export::Format;
+use crate::study::session::{Materials, Session, wrapped_deg};
+use crate::study::views::{self, ViewKind};
 
 /// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
 const MAX_PIXELS: u32 = 8192;
@@ -51,15 +56,6 @@ pub struct Arguments {
     /// The file to write: a .png of `render`; of `export` the end of its name says what: png, svg, csv, obj, gltf, toml
     #[arg(short, value_name = "FILE")]
     output: PathBuf,
-}
-
-/// Light on dark, or dark on light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Theme {
-    /// Light text on a dark ground.
-    Dark,
-    /// Dark text on a light ground.
-    Light,
 }
 
 /// What `render` is asked for, validated. `None` leaves the choice to the session.
@@ -135,42 +131,65 @@ impl Arguments {
 /// Renders the picture.
 ///
 /// # Errors
-/// Where the session cannot be read, the view is unknown, no adapter is found, or the picture cannot be written.
-#[cfg(feature = "gui")]
+/// Where the session cannot be read, the view is unknown, no adapter is found, or the picture cannot be written, and in a
+/// build without the window.
 pub(super) fn run(request: &RenderArgs) -> Result<()> {
     require_png(&request.output)?;
-    super::output::write(&request.output, &picture(request)?.png()?)
+    let bytes = drawn(request, session(request)?, view(request)?, Format::Png)?;
+    super::output::write(&request.output, &bytes)
 }
 
-/// The picture that is asked for, before it is drawn.
+/// The picture or drawing of `session`, of `view` alone where it is given.
 ///
 /// # Errors
-/// Where the session cannot be read or the view is unknown.
+/// Where no adapter is found or the view has no drawing, and in a build without the window.
 #[cfg(feature = "gui")]
-pub(super) fn picture(request: &RenderArgs) -> Result<crate::ui::headless::Picture> {
-    use crate::ui::{headless::Picture, views};
-
-    Ok(Picture {
-        session: session(request)?,
-        only: request.view.as_deref().map(views::find).transpose()?,
+pub(super) fn drawn(
+    request: &RenderArgs,
+    session: Session,
+    view: Option<&'static ViewKind>,
+    format: Format,
+) -> Result<Vec<u8>> {
+    let picture = crate::ui::headless::Picture {
+        session,
+        only: view,
         size: request.size,
         scale: request.scale as f32,
-        theme: match request.theme {
-            Some(Theme::Light) => egui::Theme::Light,
-            Some(Theme::Dark) | None => egui::Theme::Dark,
-        },
-    })
+        theme: crate::ui::theme::of_egui(request.theme.unwrap_or_default()),
+    };
+    crate::ui::export::bytes(picture, format)
+}
+
+/// No picture: this build has no window.
+///
+/// # Errors
+/// Always.
+#[cfg(not(feature = "gui"))]
+pub(super) fn drawn(
+    _: &RenderArgs,
+    _: Session,
+    _: Option<&'static ViewKind>,
+    _: Format,
+) -> Result<Vec<u8>> {
+    Err(super::no_window())
+}
+
+/// The view that is asked for by name.
+///
+/// # Errors
+/// Where there is none of this name.
+pub(super) fn view(request: &RenderArgs) -> Result<Option<&'static ViewKind>> {
+    request.view.as_deref().map(views::find).transpose()
 }
 
 /// What a file of a session is.
-#[cfg(feature = "gui")]
 const SESSION_FILE: &str = "a session is read from TOML text, as the window saves it";
 
 /// The session to draw: the file's or the start, changed by what else was asked for.
-#[cfg(feature = "gui")]
-fn session(request: &RenderArgs) -> Result<crate::ui::session::Session> {
-    use crate::ui::session::{Materials, Session, wrapped_deg};
-
+///
+/// # Errors
+/// Where the file cannot be read, and where the materials are too many.
+pub(super) fn session(request: &RenderArgs) -> Result<Session> {
     let mut session = match &request.session {
         None => Session::default(),
         Some(path) => {

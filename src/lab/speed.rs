@@ -205,10 +205,40 @@ fn plain_arithmetic(is_parallel: bool) {
     std::hint::black_box(sum);
 }
 
+/// The times of the control, on one thread and on all.
+#[derive(Default)]
+struct Controls([Vec<f64>; 2]);
+
+impl Controls {
+    fn time(&mut self, round: usize) {
+        for (is_parallel, times) in [false, true].into_iter().zip(&mut self.0) {
+            time(round, PAIRS, times, || plain_arithmetic(is_parallel));
+        }
+    }
+
+    fn medians(self) -> Control {
+        let [one, all] = self.0.map(|times| Timing::of(times).ns);
+        Control {
+            one_thread_ns: one,
+            all_threads_ns: all,
+        }
+    }
+}
+
+/// Adds the nanoseconds that `work` takes for each of `count` steps to `times`.
+fn time(round: usize, count: usize, times: &mut Vec<f64>, work: impl FnOnce()) {
+    let start = Instant::now();
+    work();
+    // The first round warms up: the pages of the output are touched, the clock is raised, the threads are awake.
+    if round > 0 {
+        times.push(start.elapsed().as_secs_f64() * 1e9 / count as f64);
+    }
+}
+
 /// Measures `operation` of `material` on `pairs`, run in each of `modes`.
 ///
 /// The modes take turns, so that what the machine does besides slows all of them alike: their ratios hold where their
-/// times do not. Where all threads are measured, plain arithmetic on one and on all takes its turns with them.
+/// times do not. Plain arithmetic on one thread and on all takes its turns with them, for comparison.
 #[must_use]
 pub fn measure<R: Precision + Real<Stored = R>>(
     material: &Material,
@@ -219,33 +249,21 @@ pub fn measure<R: Precision + Real<Stored = R>>(
     let bxdf = material.build::<R>();
     let mut out = Columns::filled(R::zero(), pairs.len());
     let mut times = vec![Vec::with_capacity(REPETITIONS); modes.len()];
-    let mut controls = [(); 2].map(|()| Vec::with_capacity(REPETITIONS));
-    let has_control = modes.contains(&Mode::Parallel);
+    let mut controls = Controls::default();
     for round in 0..=REPETITIONS {
-        // The first round warms up: the pages of the output are touched, the clock is raised, the threads are awake.
-        let time = |times: &mut Vec<f64>, count: usize, work: &mut dyn FnMut()| {
-            let start = Instant::now();
-            work();
-            if round > 0 {
-                times.push(start.elapsed().as_secs_f64() * 1e9 / count as f64);
-            }
-        };
         for (mode, times) in modes.iter().zip(&mut times) {
-            time(times, pairs.len(), &mut || {
-                run(&*bxdf, pairs, operation, *mode, &mut out);
-            });
+            let work = || run(&*bxdf, pairs, operation, *mode, &mut out);
+            time(round, pairs.len(), times, work);
         }
-        for (is_parallel, times) in [false, true].into_iter().zip(&mut controls) {
-            if has_control {
-                time(times, PAIRS, &mut || plain_arithmetic(is_parallel));
-            }
+        if modes.len() > 1 {
+            controls.time(round);
         }
     }
-    let [one, all] = controls.map(|times| Timing::of(times).ns);
-    let control = Control {
-        one_thread_ns: one,
-        all_threads_ns: all,
-    };
+    // Of a single mode the rounds follow one another, so that they find the caches as they left them.
+    if modes.len() == 1 {
+        (0..=REPETITIONS).for_each(|round| controls.time(round));
+    }
+    let control = controls.medians();
     let row = |(mode, times): (&Mode, Vec<f64>)| {
         let Timing { ns, spread } = Timing::of(times);
         Row {

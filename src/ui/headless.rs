@@ -1,14 +1,12 @@
 //! Pictures of the window without a display: the same `App`, driven step by step.
 
 use eframe::egui_wgpu::{WgpuSetup, wgpu};
-use egui::Theme;
 use egui_kittest::wgpu::default_wgpu_setup;
 use egui_kittest::{Harness, HarnessBuilder};
 use wgpu::Backends;
 
 use super::app::App;
-use super::session::Session;
-use super::views::ViewSpec;
+pub use super::app::Picture;
 use crate::error::{Error, Result};
 
 /// The most frames a picture takes to settle: layout needs two or three.
@@ -17,20 +15,6 @@ const MAX_FRAMES: u64 = 32;
 /// What helps where there is no graphics adapter.
 pub const NO_ADAPTER_REMEDY: &str =
     "install a Vulkan driver; the software one is in the package mesa-vulkan-drivers";
-
-/// A picture to be made.
-pub struct Picture {
-    /// What to show.
-    pub session: Session,
-    /// The view to show alone; the whole window if absent.
-    pub only: Option<&'static ViewSpec>,
-    /// Width and height in points.
-    pub size: [u32; 2],
-    /// Pixels per point.
-    pub scale: f32,
-    /// Dark or light.
-    pub theme: Theme,
-}
 
 impl Picture {
     /// Draws the picture, as the bytes of a PNG file.

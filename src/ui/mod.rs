@@ -2,20 +2,11 @@
 
 pub mod app;
 pub mod commands;
-pub mod data;
 pub mod export;
-pub mod format;
 pub mod headless;
-pub mod history;
-pub mod jobs;
-pub mod measured;
-pub mod memo;
-pub mod number;
 pub mod pacing;
-pub mod platform;
 pub mod scene3d;
-pub mod session;
-pub mod store;
+mod shell;
 pub mod theme;
 pub mod tiles;
 pub mod views;

@@ -9,10 +9,10 @@ use egui_tiles::{
     UiResponse,
 };
 
-use super::export::{FORMATS, Format};
-use super::session::{Layout, Part, ViewId};
 use super::theme;
-use super::views::{self, ViewSpec};
+use crate::study::export::{FORMATS, Format};
+use crate::study::session::{Layout, Part, ViewId};
+use crate::study::views::{self as kinds, ViewKind};
 
 /// What is to be made of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub enum Wish {
 }
 
 /// Draws a view into the space left in the `Ui`.
-pub type ShowView<'a> = dyn FnMut(&mut Ui, &ViewSpec) + 'a;
+pub type ShowView<'a> = dyn FnMut(&mut Ui, &'static ViewKind) + 'a;
 
 /// The tree, and the layout it stands for.
 pub struct ViewTiles {
@@ -162,12 +162,12 @@ struct Panes<'a, 'b> {
 }
 
 /// The view of this id; ids are checked where they are read.
-fn spec_of(id: ViewId) -> Option<&'static ViewSpec> {
-    views::find(id.as_str()).ok()
+fn spec_of(id: ViewId) -> Option<&'static ViewKind> {
+    kinds::find(id.as_str()).ok()
 }
 
 /// What there is to see, and the menu of the files it can be exported to. Returns the one chosen.
-fn caption(ui: &mut Ui, view: &ViewSpec) -> Option<Wish> {
+fn caption(ui: &mut Ui, view: &ViewKind) -> Option<Wish> {
     let mut wished = None;
     let width = ui.available_width();
     let room = egui::vec2(width, ui.spacing().interact_size.y);
@@ -244,7 +244,7 @@ impl Behavior<ViewId> for Panes<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ui::session::READY_LAYOUTS;
+    use crate::study::session::READY_LAYOUTS;
 
     #[test]
     fn a_tree_stands_for_its_layout() {

@@ -4,10 +4,11 @@ use std::env;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::app::App;
-use super::session::Session;
-use super::store::{Native, Store};
-use super::{headless, platform, theme};
+use super::{export, headless, theme};
 use crate::error::{Error, Result};
+use crate::study::platform;
+use crate::study::session::Session;
+use crate::study::store::{Native, Store};
 
 /// Opens the window and runs it until it is closed.
 ///
@@ -35,6 +36,7 @@ pub fn run() -> Result<()> {
                 &cc.egui_ctx,
                 Store::platform().in_threads(),
                 Box::new(Native::default()),
+                export::MAKER,
             );
             *exit_problem_of = app.exit_problem();
             Ok(Box::new(app))

@@ -3,8 +3,8 @@
 use brdf_explorer::analysis::Hold;
 use brdf_explorer::bxdf::{Component, Material};
 use brdf_explorer::lab::contract::{LawId, check_physical};
+use brdf_explorer::study::session::Session;
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::Session;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 

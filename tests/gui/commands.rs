@@ -1,9 +1,9 @@
 //! Commands by key, by search, and their help.
 
 use brdf_explorer::analysis::Hold;
+use brdf_explorer::study::session::Curves;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::commands::COMMANDS;
-use brdf_explorer::ui::session::Curves;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;

@@ -3,8 +3,8 @@
 use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::{Comparison, Quantity};
 use brdf_explorer::bxdf::material::file;
-use brdf_explorer::ui::data::Data;
-use brdf_explorer::ui::session::{Materials, SamplingPlot, Session};
+use brdf_explorer::study::data::Data;
+use brdf_explorer::study::session::{Materials, SamplingPlot, Session};
 use egui::{Color32, Rect, Shape, Theme};
 
 use super::{picture, session};

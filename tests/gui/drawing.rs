@@ -8,8 +8,8 @@
 
 use std::collections::HashMap;
 
+use brdf_explorer::study::views::VIEWS;
 use brdf_explorer::ui::export::svg;
-use brdf_explorer::ui::views::VIEWS;
 use egui::epaint::{ClippedShape, TextShape};
 use egui::{Color32, Mesh, Pos2, Rect, Shape, Stroke, Theme, pos2, vec2};
 

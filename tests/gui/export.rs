@@ -3,11 +3,12 @@
 use std::fs;
 use std::process::{Command, Output};
 
-use brdf_explorer::ui::data::Data;
-use brdf_explorer::ui::export::{self, FORMATS, Format};
+use brdf_explorer::study::data::Data;
+use brdf_explorer::study::export::{FORMATS, Format};
+use brdf_explorer::study::session::Session;
+use brdf_explorer::study::views::VIEWS;
+use brdf_explorer::ui::export;
 use brdf_explorer::ui::headless::Picture;
-use brdf_explorer::ui::session::Session;
-use brdf_explorer::ui::views::VIEWS;
 use egui::Theme;
 
 use super::{Folder, picture, session};
@@ -151,8 +152,8 @@ fn every_view_has_the_files_it_offers_and_no_others() {
 #[test]
 fn a_material_comes_back_from_its_file() {
     let file = text(view(session(&["car_paint"]), "polar"), Format::Toml);
-    let shown = brdf_explorer::ui::session::read(&file, "exported").unwrap();
-    let brdf_explorer::ui::session::Opened::Material(material) = shown else {
+    let shown = brdf_explorer::study::session::read(&file, "exported").unwrap();
+    let brdf_explorer::study::session::Opened::Material(material) = shown else {
         panic!("a material");
     };
     assert_eq!(

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 
+use brdf_explorer::study::session::{MaterialEntry, Session};
+use brdf_explorer::study::store::{Answer, Dialogs, Disk, Files, Question, Store};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::{MaterialEntry, Session};
-use brdf_explorer::ui::store::{Answer, Dialogs, Disk, Files, Question, Store};
+use brdf_explorer::ui::export;
 use egui::{Event, Key, Modifiers, OutputCommand, ThemePreference};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -75,7 +76,9 @@ pub(super) fn work_on(
     };
     let store = Store::new(files, Some(folder.file("data")));
     let ctx = harness.ctx.clone();
-    harness.state_mut().work_on(&ctx, store, Box::new(dialogs));
+    harness
+        .state_mut()
+        .work_on(&ctx, store, Box::new(dialogs), export::MAKER);
     harness.run();
     script
 }

@@ -1,7 +1,7 @@
 //! Undo and redo, by buttons and keys.
 
+use brdf_explorer::study::session::{MaterialEntry, Session};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::{MaterialEntry, Session};
 use egui::{Event, Key, Modifiers, Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};

@@ -1,9 +1,9 @@
 //! Every gesture of the window, by accessible label.
 
 use brdf_explorer::analysis::{Detail, Hold, RadialScale};
+use brdf_explorer::study::platform;
+use brdf_explorer::study::session::Session;
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::platform;
-use brdf_explorer::ui::session::Session;
 use egui::{Modifiers, Pos2, Role, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;

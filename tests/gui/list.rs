@@ -1,7 +1,7 @@
 //! The gestures of the list of materials, by accessible label.
 
+use brdf_explorer::study::session::{MaterialEntry, Materials};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::{MaterialEntry, Materials};
 use egui::{Event, Key, Modifiers, OutputCommand, Role, ViewportCommand, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;

@@ -1,9 +1,9 @@
 //! What becomes of a number when it is entered, left, dragged, undone, or no number.
 
 use brdf_explorer::bxdf::param::Value;
+use brdf_explorer::study::session::Session;
+use brdf_explorer::study::views::VIEWS;
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::Session;
-use brdf_explorer::ui::views::VIEWS;
 use egui::{Event, Key, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};

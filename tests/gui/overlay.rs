@@ -1,7 +1,7 @@
 //! Several materials in the views, by accessible label.
 
+use brdf_explorer::study::session::{LobeSurface, Materials};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::{LobeSurface, Materials};
 use egui::{Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};

@@ -3,10 +3,10 @@
 //! They are compared on the software driver only: other adapters round differently. Set `UPDATE_SNAPSHOTS=1` to
 //! accept new ones, and look at each.
 
+use brdf_explorer::study::session::READY_LAYOUTS;
+use brdf_explorer::study::views::VIEWS;
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
-use brdf_explorer::ui::session::READY_LAYOUTS;
-use brdf_explorer::ui::views::VIEWS;
 use eframe::egui_wgpu::wgpu;
 use egui::{Key, Modifiers, Theme};
 use egui_kittest::{Harness, SnapshotOptions, SnapshotResults, try_image_snapshot_options};

@@ -10,9 +10,10 @@ use std::collections::HashMap;
 
 use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::Quantity;
-use brdf_explorer::ui::export::{self, Format};
-use brdf_explorer::ui::session::{SamplingPlot, Session};
-use brdf_explorer::ui::views::VIEWS;
+use brdf_explorer::study::export::Format;
+use brdf_explorer::study::session::{SamplingPlot, Session};
+use brdf_explorer::study::views::VIEWS;
+use brdf_explorer::ui::export;
 use egui::Theme;
 
 use super::{picture, session};

@@ -1,7 +1,7 @@
 //! The views as tiles, and the one cursor, by accessible label.
 
+use brdf_explorer::study::session::{Layout, Session, ViewId};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::{Layout, Session, ViewId};
 use egui::{Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};

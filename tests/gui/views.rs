@@ -2,9 +2,9 @@
 
 use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::Comparison;
+use brdf_explorer::study::session::{SamplingPlot, Session, Split};
+use brdf_explorer::study::views::VIEWS;
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::session::{SamplingPlot, Session, Split};
-use brdf_explorer::ui::views::VIEWS;
 use egui::{Pos2, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;

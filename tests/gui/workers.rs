@@ -3,10 +3,10 @@
 use std::time::{Duration, Instant};
 
 use brdf_explorer::analysis::Detail;
+use brdf_explorer::study::jobs::Clock;
+use brdf_explorer::study::platform;
+use brdf_explorer::study::views::{self, VIEWS};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::jobs::Clock;
-use brdf_explorer::ui::platform;
-use brdf_explorer::ui::views::{self, VIEWS};
 use egui::Color32;
 use egui::epaint::Primitive;
 use egui_kittest::Harness;

@@ -6,53 +6,12 @@ use std::time::Duration;
 use egui::Context;
 
 use super::App;
-use super::files::Files;
 use crate::error::Result;
-use crate::ui::store::{Answer, Dialogs, Question};
-use crate::ui::widgets::path_field::{Outcome, PathField};
+use crate::study::store::{Answer, Question};
+use crate::ui::widgets::path_field::Outcome;
 
 /// How often an open dialog is looked at, in seconds.
 const POLL: f64 = 0.1;
-
-/// What asks for files, one question at a time.
-pub struct Asking {
-    dialogs: Box<dyn Dialogs>,
-    /// Whether it turned out that the system has no dialogs.
-    has_none: bool,
-    /// The question that is asked in their place.
-    field: Option<PathField>,
-}
-
-impl Asking {
-    /// Asks by these dialogs, as long as they answer.
-    pub(super) fn by(dialogs: Box<dyn Dialogs>) -> Self {
-        Self {
-            dialogs,
-            has_none: false,
-            field: None,
-        }
-    }
-}
-
-impl Files {
-    /// Asks for a file, unless something is being asked for. Returns whether it does.
-    pub(super) fn ask(&mut self, question: Question) -> bool {
-        if self.asking.dialogs.is_open() || self.asking.field.is_some() {
-            return false;
-        }
-        if self.asking.has_none {
-            self.ask_in_field(question);
-        } else {
-            self.asking.dialogs.ask(question);
-        }
-        true
-    }
-
-    fn ask_in_field(&mut self, question: Question) {
-        let folder = self.store.working_folder();
-        self.asking.field = Some(PathField::new(question, folder));
-    }
-}
 
 impl App {
     /// Takes what a dialog answers.
@@ -76,7 +35,7 @@ impl App {
     }
 
     /// The field for a path, while it asks.
-    pub(super) fn show_path_field(&mut self, ctx: &Context) {
+    pub(in crate::ui) fn show_path_field(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
         let Some(mut field) = files.asking.field.take() else {
             return;

@@ -1,19 +1,20 @@
 //! Exporting a view from the window: where to is asked, what is written is made by a thread of its own.
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::sync::mpsc::{self, TryRecvError};
 use std::time::Duration;
 
-use egui::{ColorImage, Context};
+use egui::Context;
 
 use super::App;
+use super::exports::{Made, Making};
+use super::picture::{Maker, Picture};
 use crate::error::{Error, Result};
-use crate::ui::export::{self, FORMATS, Format};
-use crate::ui::headless::Picture;
-use crate::ui::platform;
-use crate::ui::session::ViewId;
-use crate::ui::store::Question;
-use crate::ui::views;
+use crate::study::export::{FORMATS, Format};
+use crate::study::platform;
+use crate::study::session::ViewId;
+use crate::study::store::Question;
+use crate::study::views as kinds;
 use crate::ui::widgets::saved::Saved;
 
 /// The size of an exported view, in points, and its pixels per point: legible in print.
@@ -23,31 +24,9 @@ const SCALE: f32 = 2.0;
 /// How often a file that is being made is looked for, in seconds.
 const POLL: f64 = 0.1;
 
-/// What the window exports.
-#[derive(Default)]
-pub struct Exports {
-    /// What a place is being asked for.
-    asked: Option<(ViewId, Format)>,
-    /// What is being made.
-    making: Vec<Making>,
-}
-
-/// What is being made.
-struct Making {
-    /// Where it will be written; `None` for the clipboard.
-    path: Option<PathBuf>,
-    answer: Receiver<Result<Made>>,
-}
-
-/// What is made.
-enum Made {
-    File(Vec<u8>),
-    Picture(ColorImage),
-}
-
 impl App {
     /// Asks where to export a view to.
-    pub(super) fn ask_export(&mut self, view: ViewId, format: Format) {
+    pub(in crate::ui) fn ask_export(&mut self, view: ViewId, format: Format) {
         let Some(files) = &mut self.files else {
             return;
         };
@@ -72,32 +51,32 @@ impl App {
         let Some((view, format)) = self.exports.asked.take() else {
             return;
         };
+        let Some(maker) = self.maker() else { return };
         let picture = self.picture_of(view, ctx);
         let path = Some(path.to_owned());
         self.make(
             path,
-            move || export::bytes(picture, format).map(Made::File),
+            move || (maker.file)(picture, format).map(Made::File),
             ctx,
         );
     }
 
     /// Begins to make a picture of a view for the clipboard: the one that a file of it would hold.
-    pub(super) fn copy_picture(&mut self, view: ViewId, ctx: &Context) {
+    pub(in crate::ui) fn copy_picture(&mut self, view: ViewId, ctx: &Context) {
+        let Some(maker) = self.maker() else { return };
         let picture = self.picture_of(view, ctx);
-        let make = move || {
-            let image = picture.image()?;
-            let size = [image.width(), image.height()].map(|side| side as usize);
-            Ok(Made::Picture(ColorImage::from_rgba_unmultiplied(
-                size, &image,
-            )))
-        };
+        let make = move || (maker.image)(picture).map(Made::Picture);
         self.make(None, make, ctx);
+    }
+
+    fn maker(&self) -> Option<Maker> {
+        self.files.as_ref().map(|files| files.maker)
     }
 
     fn picture_of(&self, view: ViewId, ctx: &Context) -> Picture {
         Picture {
             session: self.session.clone(),
-            only: views::find(view.as_str()).ok(),
+            only: kinds::find(view.as_str()).ok(),
             size: SIZE,
             scale: SCALE,
             theme: ctx.theme(),

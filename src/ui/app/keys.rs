@@ -1,8 +1,7 @@
-//! Who gets the keys, and what is said of what they did.
+//! Which control keys and drags work on.
 
 use egui::{Context, Event, Key};
 
-use super::App;
 use crate::ui::widgets::number::work::{self, Work};
 
 /// Keys that change the value of a control a little at a time.
@@ -19,26 +18,13 @@ const MOVING_OR_TYPING: [Key; 6] = [
 const MAX_CLICK: f64 = 3.0;
 
 /// Has egui take a press and a release for a click even where frames are slow.
-pub(super) fn allow_slow_clicks(ctx: &Context) {
+pub(in crate::ui) fn allow_slow_clicks(ctx: &Context) {
     ctx.options_mut(|options| options.input_options.max_click_duration = MAX_CLICK);
-}
-
-impl App {
-    /// Whether what is typed next goes to a text, which has the focus or is about to have it.
-    #[must_use]
-    pub fn is_typed_in(&self, ctx: &Context) -> bool {
-        ctx.text_edit_focused() || self.search.is_some() || self.picker.has_focus(ctx)
-    }
-
-    /// Says for a moment what a key did.
-    pub fn say(&mut self, text: String, ctx: &Context) {
-        self.said.say(text, ctx);
-    }
 }
 
 /// The control whose edits are one step together: the one that is dragged, or the one that has the keyboard while keys
 /// that move or type are pressed. A number that is typed is a step of its own.
-pub(super) fn control_at_work(ctx: &Context) -> Option<egui::Id> {
+pub(in crate::ui) fn control_at_work(ctx: &Context) -> Option<egui::Id> {
     if let Some(work) = work::done(ctx) {
         return match work {
             Work::Entered => None,

@@ -1,48 +1,23 @@
 //! Reading what is opened or pasted: in a thread of its own, so that the window goes on meanwhile.
 
-use std::collections::VecDeque;
 use std::path::PathBuf;
-use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::sync::mpsc::{self, TryRecvError};
 use std::time::Duration;
 
 use egui::{Context, Panel, Ui};
 
 use super::App;
+use super::readings::Reading;
 use crate::error::{Error, Result};
 use crate::files;
-use crate::ui::platform;
-use crate::ui::session::Opened;
+use crate::study::platform;
+use crate::study::session::Opened;
 
 /// Texts up to this many bytes are read at once: that takes no longer than a frame.
 const AT_ONCE: usize = 1 << 15;
 
 /// How often it is looked whether a text is read, in seconds.
 const POLL: f64 = 0.1;
-
-/// What is being read, in the order in which it came.
-pub struct Readings {
-    waiting: VecDeque<Reading>,
-    /// Whether there are threads to read in; else everything is read at once.
-    is_threaded: bool,
-}
-
-impl Readings {
-    /// Nothing yet; in threads, where it is so and there are any.
-    pub(super) fn new(is_threaded: bool) -> Self {
-        Self {
-            waiting: VecDeque::new(),
-            is_threaded,
-        }
-    }
-}
-
-/// A text that is being read.
-struct Reading {
-    what: String,
-    /// The file it stands in.
-    path: Option<PathBuf>,
-    answer: Receiver<Result<Opened>>,
-}
 
 impl App {
     /// Reads a text that was pasted.
@@ -126,7 +101,7 @@ impl App {
     }
 
     /// A panel at the bottom that says what is being read.
-    pub(super) fn show_reading(&self, ui: &mut Ui) {
+    pub(in crate::ui) fn show_reading(&self, ui: &mut Ui) {
         if let Some(first) = self.readings.waiting.front() {
             Panel::bottom("reading").show(ui, |ui| {
                 // No wheel turns: it would have every frame drawn, beside the thread that reads.

@@ -2,10 +2,10 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
-use super::{Command, Group, command};
+use super::command::{Command, Group, command};
 use crate::analysis::Hold;
+use crate::study::session::{Curves, MAX_MATERIALS};
 use crate::ui::app::App;
-use crate::ui::session::{Curves, MAX_MATERIALS};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);

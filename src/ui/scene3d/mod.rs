@@ -1,6 +1,6 @@
 //! Small 3D views inside egui: a scene of triangles and lines, seen by an orbit camera.
 //!
-//! A caller builds a [`Scene`] with the builders in it, keeps an [`OrbitCamera`], and adds
+//! A caller builds a [`Scene`] with the builders in it, keeps an [`OrbitCamera`](crate::study::session::camera::OrbitCamera), and adds
 //! [`shape`] to an egui painter each frame. [`init`] must have run once at start-up.
 //!
 //! ```text
@@ -19,7 +19,7 @@ mod ray;
 mod renderer;
 mod shapes;
 
-pub use camera::{HomeView, OrbitCamera};
+pub use camera::Projection;
 pub use geometry::{Line, Rgba, Scene, Surface, Vertex};
 pub use ray::Ray;
 pub use renderer::{SceneView, init, shape};

@@ -10,9 +10,10 @@ use eframe::wgpu;
 use egui::{PaintCallbackInfo, Rect};
 
 use super::buffers::SceneBuffers;
-use super::camera::OrbitCamera;
+use super::camera::Projection as _;
 use super::geometry::{Rgba, Scene};
 use super::pipelines::{COLOR_FORMAT, DEPTH_FORMAT, Pipelines, SAMPLES};
+use crate::study::session::OrbitCamera;
 
 /// One 3D view in one frame.
 ///

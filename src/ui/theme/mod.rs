@@ -3,13 +3,32 @@
 use egui::{FontFamily, FontId, TextStyle, Theme, Vec2};
 
 use super::scene3d::Rgba;
-use super::session::Slot;
 use crate::analysis::Channel;
+use crate::study::colors;
+use crate::study::session::Slot;
 pub use maps::*;
 pub use palette::Palette;
 
 mod maps;
 mod palette;
+
+/// The theme, as the document names it.
+#[must_use]
+pub const fn chosen(theme: Theme) -> colors::Theme {
+    match theme {
+        Theme::Dark => colors::Theme::Dark,
+        Theme::Light => colors::Theme::Light,
+    }
+}
+
+/// The theme, as egui names it.
+#[must_use]
+pub const fn of_egui(theme: colors::Theme) -> Theme {
+    match theme {
+        colors::Theme::Dark => Theme::Dark,
+        colors::Theme::Light => Theme::Light,
+    }
+}
 
 /// The size of the window at first, in points.
 pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);

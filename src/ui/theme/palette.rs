@@ -5,18 +5,8 @@ use egui::{Color32, Theme};
 use super::Rgba;
 use crate::analysis::{Channel, Hold};
 use crate::bxdf::Category;
-use crate::ui::session::Slot;
-
-/// The colour-blind-safe colours of Okabe & Ito 2008 ("Color Universal Design").
-mod okabe_ito {
-    pub const ORANGE: [u8; 3] = [230, 159, 0];
-    pub const YELLOW: [u8; 3] = [240, 228, 66];
-    pub const SKY_BLUE: [u8; 3] = [86, 180, 233];
-    pub const GREEN: [u8; 3] = [0, 158, 115];
-    pub const BLUE: [u8; 3] = [0, 114, 178];
-    pub const VERMILION: [u8; 3] = [213, 94, 0];
-    pub const PURPLE: [u8; 3] = [204, 121, 167];
-}
+use crate::study::colors::{self, material_colors, okabe_ito};
+use crate::study::session::Slot;
 
 /// The colours of one theme.
 #[derive(Clone, Copy, Debug)]
@@ -100,15 +90,7 @@ impl Palette {
             faint_ink: grey(160),
             grid: rgb([58, 62, 70]),
             axis: grey(140),
-            materials: [
-                rgb(okabe_ito::SKY_BLUE),
-                rgb([240, 120, 40]),
-                rgb([20, 185, 140]),
-                rgb([226, 150, 192]),
-                rgb(okabe_ito::YELLOW),
-                rgb([60, 140, 220]),
-                grey(187),
-            ],
+            materials: material_colors(colors::Theme::Dark).map(rgb),
             light: rgb(okabe_ito::ORANGE),
             viewer: rgb([120, 210, 150]),
             mirror: rgb([170, 150, 235]),
@@ -139,15 +121,7 @@ impl Palette {
             faint_ink: grey(95),
             grid: grey(214),
             axis: grey(120),
-            materials: [
-                rgb(okabe_ito::BLUE),
-                rgb(okabe_ito::VERMILION),
-                rgb([0, 136, 100]),
-                rgb([180, 85, 140]),
-                rgb([140, 118, 0]),
-                rgb([40, 140, 200]),
-                grey(112),
-            ],
+            materials: material_colors(colors::Theme::Light).map(rgb),
             light: rgb([196, 120, 0]),
             viewer: rgb([0, 128, 80]),
             mirror: rgb([105, 75, 185]),

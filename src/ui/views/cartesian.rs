@@ -2,33 +2,21 @@
 
 use egui::{Align2, Ui};
 
-use super::{Cursor, ViewContext, ViewSpec};
+use super::{Cursor, ViewContext};
 use crate::analysis::cartesian::{self, Abscissa, Curve};
 use crate::analysis::half_difference::half_difference;
 use crate::analysis::lobe::Arrow;
 use crate::analysis::{Channel, HeldLobe, polar};
 use crate::bxdf::Side;
-use crate::ui::export::table;
-use crate::ui::format;
-use crate::ui::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
+use crate::study::format;
+use crate::study::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::chart::{Axis, Chart, Series, Shown};
 use crate::ui::widgets::legend::{self, Sample};
 use crate::ui::widgets::{choice, draw};
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "cartesian",
-    title: "Cartesian plot",
-    is_of_held: |session| session.views.cartesian.abscissa == Abscissa::Free,
-    what_you_see: "The value f over an angle, as papers print it: peaks, tails and what two \
-        models differ by",
-    show,
-    table: Some(table::cartesian),
-    is_mesh: false,
-};
-
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     if let Some(note) = super::nothing_to_show(cx.session) {

@@ -4,30 +4,18 @@ use std::sync::Arc;
 
 use egui::{Color32, Rect, Ui, UiBuilder};
 
-use super::{Cursor, ViewContext, ViewSpec};
+use super::{Cursor, ViewContext};
 use crate::analysis::decomposition::{Decomposition, Factors};
 use crate::analysis::{Channel, deltas, polar};
 use crate::bxdf::{Category, Lobe};
-use crate::ui::export::table;
-use crate::ui::format;
-use crate::ui::session::{DECADES, Decomposed, EntryId, Session};
+use crate::study::format;
+use crate::study::session::{DECADES, Decomposed, EntryId, Session};
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::ui::widgets::legend::{self, Sample};
 use crate::ui::widgets::{choice, draw, pictures};
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "decomposition",
-    title: "Decomposition",
-    is_of_held: |_| true,
-    what_you_see: "What the value is made of: lobes that sum to it, or the factors D, G and F \
-        of a microfacet model",
-    show,
-    table: Some(table::decomposition),
-    is_mesh: false,
-};
-
 /// Width over height of the charts of several materials.
 const ASPECT: f32 = 1.5;
 
@@ -37,7 +25,7 @@ const ROOM_FOR_WORDS: egui::Vec2 = egui::vec2(230.0, 150.0);
 /// The names of the factors at the screen: D is shown over its peak, which differs by orders of magnitude.
 const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);

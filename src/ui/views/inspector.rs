@@ -5,28 +5,17 @@ use std::fmt::Write as _;
 use egui::{Grid, RichText, ScrollArea, Ui};
 use glam::DVec3;
 
-use super::{ViewContext, ViewSpec};
+use super::ViewContext;
 use crate::analysis::half_difference::{HalfDifference, Spherical, half_difference};
 use crate::analysis::hemisphere::Quantity;
 use crate::analysis::inspector::{DeltaReading, Reading, deltas};
 use crate::analysis::{Channel, Hold};
 use crate::bxdf::Side;
-use crate::ui::export::names;
-use crate::ui::format;
+use crate::study::export::names;
+use crate::study::format;
 use crate::ui::widgets::{deltas as widgets_deltas, draw};
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "inspector",
-    title: "Inspector",
-    is_of_held: |_| true,
-    what_you_see: "Every material's numbers at the held direction and the one last pointed at \
-        in any view; at first the mirror direction",
-    show,
-    table: None,
-    is_mesh: false,
-};
-
 /// The columns of numbers: name and meaning.
 const COLUMNS: [(&str, &str); 12] = [
     ("f R", "The value f in the red channel, in 1/sr"),
@@ -82,7 +71,7 @@ struct Row {
     deltas: [Option<DeltaReading>; 2],
 }
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let report = report(cx);
     let area = ScrollArea::both().auto_shrink([false, false]);
     area.show(ui, |ui| {

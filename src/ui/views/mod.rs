@@ -6,19 +6,19 @@ use std::sync::Arc;
 use egui::Ui;
 use glam::DVec3;
 
-use super::data::Data;
-use super::export::{Format, table};
-use super::memo::{Memo, Same};
-use super::session::{EntryId, MaterialEntry, Materials, Session, ViewId};
 use super::theme::{Dash, Palette};
 use super::widgets::chart::{self, Axis, Mark};
 use super::widgets::pictures::{ColorScale, Textures};
 use super::widgets::{choice, deltas as widgets_deltas, draw};
 use crate::analysis::hemisphere::Map;
-use crate::analysis::{HeldLobe, Hold, deltas, polar as section};
-use crate::error::{Error, Result};
-use crate::lab::contract::Witness;
+use crate::analysis::{Hold, deltas, polar as section};
 use crate::lab::stability::map as stability_map;
+use crate::study::cursor::Cursor;
+use crate::study::data::Data;
+use crate::study::export::{Format, nothing_to_show};
+use crate::study::memo::{Memo, Same};
+use crate::study::session::{EntryId, Materials, Session, ViewId};
+use crate::study::views::ViewKind;
 
 mod cartesian;
 mod decomposition;
@@ -33,66 +33,29 @@ mod sphere;
 mod stability;
 mod tradeoff;
 
-/// A view of the session.
-pub struct ViewSpec {
-    /// The id: file name, command-line word and snapshot name.
-    pub id: &'static str,
-    /// The name at the screen.
-    pub title: &'static str,
-    /// What to see in it, in a sentence.
-    pub what_you_see: &'static str,
-    /// Whether, as the session has it, it shows what becomes of the held direction.
-    pub is_of_held: fn(&Session) -> bool,
-    /// Draws it into the space left in the `Ui`.
-    pub show: fn(&mut egui::Ui, &mut ViewContext<'_>),
-    /// The numbers behind it.
-    pub table: Option<table::Fill>,
-    /// Whether it is drawn by the graphics processor, so that it has no lines to export.
-    pub is_mesh: bool,
-}
+/// What draws a view into the space left in the `Ui`.
+type Show = fn(&mut Ui, &mut ViewContext<'_>);
 
-impl ViewSpec {
-    /// Whether there is a file of this kind of it.
-    #[must_use]
-    pub fn has_file(&self, format: Format) -> bool {
-        match format {
-            Format::Png | Format::Toml => true,
-            Format::Svg => !self.is_mesh,
-            Format::Csv => self.table.is_some(),
-            Format::Obj | Format::Gltf => self.is_mesh,
-        }
+macro_rules! list {
+    ($($id:ident)*) => {
+        /// What draws each kind of view, by its id.
+        static SHOW: [(&str, Show); [$(stringify!($id)),*].len()] = [$((stringify!($id), $id::show)),*];
+    };
+}
+crate::view_kinds!(list);
+
+/// Draws the view.
+pub fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+    let mut all = SHOW.iter();
+    if let Some((_, show)) = all.find(|(id, _)| *id == cx.view.id) {
+        show(ui, cx);
     }
-}
-
-/// Every view, in the order of the window.
-pub static VIEWS: [ViewSpec; 12] = [
-    polar::SPEC,
-    lobe3d::SPEC,
-    cartesian::SPEC,
-    hemisphere::SPEC,
-    reflectance::SPEC,
-    slice::SPEC,
-    sphere::SPEC,
-    sampling::SPEC,
-    decomposition::SPEC,
-    tradeoff::SPEC,
-    stability::SPEC,
-    inspector::SPEC,
-];
-
-/// The view with this id.
-///
-/// # Errors
-/// [`Error::UnknownId`], with the nearest ids.
-pub fn find(id: &str) -> Result<&'static ViewSpec> {
-    VIEWS
-        .iter()
-        .find(|view| view.id == id)
-        .ok_or_else(|| Error::unknown("view", id, VIEWS.iter().map(|view| view.id)))
 }
 
 /// What a view draws with.
 pub struct ViewContext<'a> {
+    /// The view.
+    pub view: &'static ViewKind,
     /// What to show; gestures change it.
     pub session: &'a mut Session,
     /// The data of the session.
@@ -203,7 +166,8 @@ fn share_axis(shares: impl Iterator<Item = f64>) -> Axis {
 }
 
 /// Where the held direction lies below opaque materials and the view is of it: says so, and offers the way back.
-pub(super) fn warn_of_held(ui: &mut egui::Ui, cx: &mut ViewContext<'_>, view: &ViewSpec) {
+pub(super) fn warn_of_held(ui: &mut egui::Ui, cx: &mut ViewContext<'_>) {
+    let view = cx.view;
     let session = &mut *cx.session;
     let is_told = session.is_held_below() && (view.is_of_held)(session);
     if !is_told {
@@ -221,20 +185,6 @@ pub(super) fn warn_of_held(ui: &mut egui::Ui, cx: &mut ViewContext<'_>, view: &V
             session.raise_held();
         }
     });
-}
-
-/// Why no view has anything to show.
-fn nothing_to_show(session: &Session) -> Option<&'static str> {
-    let is_hidden = session.materials.shown().next().is_none();
-    is_hidden.then_some("Every material is hidden")
-}
-
-/// Why an export of values has nothing, though there are materials.
-pub(super) fn no_values(session: &Session) -> Option<&'static str> {
-    let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
-    let is_empty = session.materials.shown().all(is_delta);
-    nothing_to_show(session)
-        .or(is_empty.then_some("All light is in Dirac deltas: f and the density are 0 everywhere"))
 }
 
 /// The choice of the material that others are compared with.
@@ -299,60 +249,5 @@ impl ViewState {
     fn keep_arrangement(&mut self, has_lower: bool) {
         self.is_dragging = true;
         self.kept_lower_half = Some(has_lower);
-    }
-}
-
-/// A direction pointed at.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cursor {
-    /// The material that is pointed at; else the selected one.
-    pub material: EntryId,
-    /// The free direction, a unit vector.
-    pub direction: DVec3,
-}
-
-impl Cursor {
-    /// Holds one direction of the pair at `witness`, which is of a surface that is not turned, and points at the other. A
-    /// light alone is held whatever was held before; a viewer alone likewise.
-    #[must_use]
-    pub fn jump(session: &mut Session, material: EntryId, witness: &Witness) -> Option<Self> {
-        let (held, free) = match (session.hold, witness.wo, witness.wi) {
-            (_, None, None) => return None,
-            (Hold::Light, wo, Some(wi)) | (_, wo @ None, Some(wi)) => {
-                session.hold = Hold::Light;
-                (wi, wo)
-            }
-            (_, Some(wo), wi) => {
-                session.hold = Hold::Viewer;
-                (wo, wi)
-            }
-        };
-        session.hold_on_surface(held);
-        let direction = session.on_surface(free?);
-        Some(Self {
-            material,
-            direction,
-        })
-    }
-
-    /// The material pointed at; the selected one where it is no longer there, or hidden.
-    #[must_use]
-    pub fn entry<'a>(&self, session: &'a Session) -> &'a MaterialEntry {
-        let mut shown = session.materials.shown();
-        let pointed = shown.find(|entry| entry.id() == self.material);
-        pointed.unwrap_or_else(|| session.materials.selected())
-    }
-
-    /// The value there: f in 1/sr (times the cosine, if shown so), per channel; its limit at the horizon.
-    pub fn value(&self, session: &Session, data: &mut Data) -> [f64; 3] {
-        let surface = data.surface(session, self.entry(session));
-        let lobe = HeldLobe::new(&*surface.bxdf, session.hold, session.held());
-        let cosine = if session.with_cosine {
-            self.direction.z.abs()
-        } else {
-            1.0
-        };
-        let value = lobe.value_or_limit(self.direction, self.direction.z >= 0.0);
-        value.map(|f| f * cosine)
     }
 }

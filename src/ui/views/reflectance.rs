@@ -2,30 +2,18 @@
 
 use egui::{RichText, Ui};
 
-use super::{ViewContext, ViewSpec};
+use super::ViewContext;
 use crate::analysis::Channel;
 use crate::analysis::reflectance::{Curve, LobeShare, by_kind};
 use crate::bxdf::{Category, Side};
-use crate::ui::export::table;
-use crate::ui::format;
-use crate::ui::session::{Session, Split};
+use crate::study::format;
+use crate::study::session::{Session, Split};
 use crate::ui::theme::{self, Dash};
 use crate::ui::widgets::chart::{Axis, Band, Chart, Mark, Series};
 use crate::ui::widgets::legend::{self, Sample};
 use crate::ui::widgets::{choice, draw};
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "reflectance",
-    title: "Reflectance",
-    is_of_held: |_| false,
-    what_you_see: "The share of the light arriving at an angle that leaves, in all directions \
-        together: above 1 energy is created",
-    show,
-    table: Some(table::reflectance),
-    is_mesh: false,
-};
-
 /// A part of the light that leaves.
 struct Part {
     name: String,
@@ -34,7 +22,7 @@ struct Part {
     points: Vec<[f64; 3]>,
 }
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     if let Some(note) = super::nothing_to_show(cx.session) {

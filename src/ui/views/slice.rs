@@ -4,28 +4,16 @@ use std::sync::Arc;
 
 use egui::{Align2, Rect, Response, Ui, vec2};
 
-use super::{ViewContext, ViewSpec};
+use super::ViewContext;
 use crate::analysis::slice::{REGIONS, Region, Request, Slice, mirrored_at, pair_at, place_of};
 use crate::analysis::{Channel, Subject};
-use crate::ui::export::table;
-use crate::ui::format;
-use crate::ui::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
+use crate::study::format;
+use crate::study::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::ui::widgets::{choice, deltas, draw};
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "slice",
-    title: "Slice",
-    is_of_held: |_| false,
-    what_you_see: "f over the angles of half vector (to the right) and difference (upwards): \
-        the fingerprint of a material",
-    show,
-    table: Some(table::slice),
-    is_mesh: false,
-};
-
 /// Room for the names and numbers of the axes, in points: at the left and below.
 const LABELS: egui::Vec2 = vec2(34.0, 30.0);
 
@@ -44,7 +32,7 @@ const GRAZING_SHARE: f64 = 0.01;
 /// Narrower pictures have no room for the names of regions, in points.
 const ROOM_FOR_NAMES: f32 = 150.0;
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);

@@ -6,9 +6,9 @@ use egui::{Button, Color32, Response, RichText, Role, Ui, WidgetInfo};
 
 use crate::bxdf::Material;
 use crate::lab::contract::{LawId, LawReport, PHYSICAL, Status, Witness};
-use crate::ui::data::Data;
-use crate::ui::format;
-use crate::ui::session::MaterialEntry;
+use crate::study::data::Data;
+use crate::study::format;
+use crate::study::session::MaterialEntry;
 use crate::ui::theme::{self, Palette};
 
 /// What is known of a law for a material.

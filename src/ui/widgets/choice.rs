@@ -2,7 +2,7 @@
 
 use egui::{Response, Ui};
 
-use crate::ui::number::NumberSpec;
+use crate::study::number::NumberSpec;
 use crate::ui::theme;
 use crate::ui::widgets::number::Number;
 

@@ -4,7 +4,7 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 
 use super::draw;
 use crate::bxdf::Side;
-use crate::ui::format;
+use crate::study::format;
 use crate::ui::theme::{Dash, Palette};
 
 /// The radius of the ring about a delta's direction, in points.

@@ -3,8 +3,8 @@
 use egui::{Grid, RichText, ScrollArea, Ui};
 
 use crate::analysis::Hold;
-use crate::ui::number::NumberSpec;
-use crate::ui::session::{PHI, ROTATION, Session};
+use crate::study::number::NumberSpec;
+use crate::study::session::{PHI, ROTATION, Session};
 use crate::ui::widgets::number::Number;
 
 /// The panel; it changes the session.

@@ -7,10 +7,10 @@ use egui_plot::{MarkerShape, PlotUi};
 
 use crate::analysis::Channel;
 use crate::analysis::half_difference::Spherical;
-use crate::ui::format;
-use crate::ui::session::{Curves, Session};
+use crate::study::cursor::Cursor;
+use crate::study::format;
+use crate::study::session::{Curves, Session};
 use crate::ui::theme::{self, Dash, Palette};
-use crate::ui::views::Cursor;
 
 /// Scrolling by this many points zooms by a factor e to this times them.
 pub const ZOOM_PER_POINT: f32 = 0.003;

@@ -2,8 +2,8 @@
 
 use egui::Ui;
 
-use crate::ui::session::{READY_LAYOUTS, Session, ViewId};
-use crate::ui::views::VIEWS;
+use crate::study::session::{READY_LAYOUTS, Session, ViewId};
+use crate::study::views::VIEWS;
 
 /// The menu.
 pub fn menu(ui: &mut Ui, session: &mut Session) {

@@ -8,7 +8,7 @@ use egui::{
 };
 
 use super::draw;
-use crate::ui::session::{EntryId, MaterialEntry, Session};
+use crate::study::session::{EntryId, MaterialEntry, Session};
 use crate::ui::theme::{self, Dash, Palette};
 
 /// What stands before a name.

@@ -8,7 +8,6 @@ pub mod deltas;
 pub mod directions;
 pub mod draw;
 pub mod handle;
-pub mod help;
 pub mod hits;
 pub mod layouts;
 pub mod legend;

@@ -2,7 +2,7 @@
 
 use egui::{RichText, ThemePreference, Ui};
 
-use crate::ui::session::{Curves, LobeSurface, SECTION_PHI, Session};
+use crate::study::session::{Curves, LobeSurface, SECTION_PHI, Session};
 use crate::ui::theme;
 use crate::ui::widgets::number::Number;
 

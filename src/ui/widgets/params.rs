@@ -8,8 +8,8 @@ use crate::bxdf::Component;
 use crate::bxdf::material::WEIGHT;
 use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
 use crate::error::Error;
-use crate::ui::number::NumberSpec;
-use crate::ui::session::WIDTHS;
+use crate::study::number::NumberSpec;
+use crate::study::session::WIDTHS;
 use crate::ui::theme;
 use crate::ui::widgets::number::{Number, Shown};
 

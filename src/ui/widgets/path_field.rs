@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use egui::text::{CCursor, CCursorRange};
 use egui::{Context, Id, Key, Modal, RichText, TextEdit, Ui};
 
-use crate::ui::store::{Found, Question};
+use crate::study::store::{Found, Question};
 use crate::ui::theme;
 
 /// The longest path that is read, in characters: no system has longer ones.

@@ -1,27 +1,37 @@
-//! The search of the commands.
+//! A window to search and choose in.
 
 use egui::{Align, Button, Context, Id, Key, Modal, Response, ScrollArea, TextEdit, Ui};
 
-use super::hits::{self, Found, Highlight, Known};
-use crate::ui::app::App;
-use crate::ui::commands::{COMMANDS, Command};
+use super::hits::{self, Found, Highlight};
 use crate::ui::theme;
 
 /// What becomes of the search.
-pub enum Outcome {
+pub enum Outcome<T> {
     /// It goes on.
     Open,
     /// It is over.
     Closed,
-    /// This command is to be run.
-    Chosen(&'static Command),
+    /// This is chosen.
+    Chosen(T),
+}
+
+/// How something to choose is shown.
+pub struct Entry {
+    /// What it is called.
+    pub title: String,
+    /// The keys for it, as the screen shows them; empty where it has none.
+    pub keys: String,
+    /// What it does.
+    pub hint: &'static str,
+    /// Whether it can be chosen now.
+    pub is_enabled: bool,
 }
 
 /// A search that is going on.
 #[derive(Debug, Default)]
 pub struct Search {
     wanted: String,
-    /// Which of the commands found Enter runs.
+    /// Which of those found Enter chooses.
     highlight: Highlight,
 }
 
@@ -33,8 +43,13 @@ impl Search {
         Self::default()
     }
 
-    /// The window of the search.
-    pub fn show(&mut self, ctx: &Context, app: &App) -> Outcome {
+    /// The window of the search among what `found` finds, each shown as `entry` says.
+    pub fn show<T: Copy>(
+        &mut self,
+        ctx: &Context,
+        found: impl Fn(&str) -> Found<T>,
+        entry: impl Fn(&T) -> Entry,
+    ) -> Outcome<T> {
         let modal = Modal::new(Id::unique("search")).show(ctx, |ui| {
             ui.set_width(theme::SEARCH_SIZE.x);
             let rows = hits::take_rows(ui);
@@ -64,21 +79,21 @@ impl Search {
             let is_moved = self.highlight.take_moved();
             let area = ScrollArea::vertical().max_height(theme::SEARCH_SIZE.y);
             area.show(ui, |ui| {
-                for (index, command) in listed.iter().enumerate() {
+                for (index, one) in listed.iter().enumerate() {
                     let is_next = next == Some(index);
-                    let row = row(ui, app, command, is_next);
+                    let row = row(ui, &entry(one), is_next);
                     if is_next && is_moved {
                         row.scroll_to_me(Some(Align::Center));
                     }
                     if row.clicked() {
-                        chosen = Some(*command);
+                        chosen = Some(*one);
                     }
                 }
             });
             chosen
         });
         match modal.inner {
-            Some(command) => Outcome::Chosen(command),
+            Some(one) => Outcome::Chosen(one),
             None if modal.should_close() => Outcome::Closed,
             None => Outcome::Open,
         }
@@ -90,47 +105,17 @@ fn field_id() -> Id {
     Id::unique("search of the commands")
 }
 
-/// The commands that `wanted` finds; all of them where nothing is wanted.
-fn found(wanted: &str) -> Found<&'static Command> {
-    hits::found(wanted, COMMANDS, |command| Known {
-        names: vec![command.title],
-        texts: vec![command.group.title(), command.hint],
-    })
-}
-
-/// A command that is found.
-fn row(ui: &mut Ui, app: &App, command: &Command, is_next: bool) -> Response {
-    let title = format!("{}: {}", command.group.title(), command.title);
+/// Something that is found.
+fn row(ui: &mut Ui, entry: &Entry, is_next: bool) -> Response {
+    let title = entry.title.as_str();
     let mut button =
-        Button::selectable(is_next, title.as_str()).min_size(egui::vec2(ui.available_width(), 0.0));
-    if let Some(shortcut) = command.shortcuts.first() {
-        button = button.shortcut_text(ui.ctx().format_shortcut(shortcut));
+        Button::selectable(is_next, title).min_size(egui::vec2(ui.available_width(), 0.0));
+    if !entry.keys.is_empty() {
+        button = button.shortcut_text(&entry.keys);
     }
-    let is_enabled = (command.is_enabled)(app);
-    let response = ui.add_enabled(is_enabled, button);
+    let response = ui.add_enabled(entry.is_enabled, button);
     response.widget_info(|| {
-        egui::WidgetInfo::selected(egui::Role::Button, is_enabled, is_next, &title)
+        egui::WidgetInfo::selected(egui::Role::Button, entry.is_enabled, is_next, title)
     });
-    response.on_hover_text(command.hint)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn all_words_must_be_found() {
-        let ids = |wanted: &str| -> Vec<&str> {
-            let found = found(wanted);
-            found.listed().iter().map(|command| command.id).collect()
-        };
-        assert_eq!(ids("").len(), COMMANDS.len());
-        assert_eq!(ids("save"), ["save", "save_as"]);
-        assert_eq!(ids("save another"), ["save_as"]);
-        assert_eq!(ids("  FILE  text session"), ["copy_session", "paste"]);
-        // The title goes before the hints of commands that stand earlier in the list.
-        assert_eq!(ids("undo")[0], "undo");
-        assert_eq!(ids("sve")[0], "save");
-        assert!(matches!(found("xyzzy"), Found::Nearest(_)));
-    }
+    response.on_hover_text(entry.hint)
 }

@@ -4,10 +4,10 @@ use egui::{Align, Label, Layout, Ui};
 
 use super::{draw, shares};
 use crate::analysis::reflectance::LobeShare;
-use crate::ui::data::Progress;
-use crate::ui::session::Session;
+use crate::study::cursor::Cursor;
+use crate::study::data::Progress;
+use crate::study::session::Session;
 use crate::ui::theme::Palette;
-use crate::ui::views::Cursor;
 
 /// The line.
 pub fn show(

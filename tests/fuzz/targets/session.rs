@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use brdf_explorer::ui::session::{Opened, read};
+use brdf_explorer::study::session::{Opened, read};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {

@@ -9,8 +9,8 @@ use super::{LABELS, ViewContext, mirrored};
 use crate::analysis::Channel;
 use crate::analysis::hemisphere::{DeltaValue, Map, Quantity};
 use crate::bxdf::math::frame;
-use crate::ui::format;
-use crate::ui::session::{EntryId, Session};
+use crate::study::format;
+use crate::study::session::{EntryId, Session};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::{deltas, draw, handle, pictures};
 

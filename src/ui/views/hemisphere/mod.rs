@@ -4,36 +4,24 @@ use std::sync::Arc;
 
 use egui::{Rect, Response, Shape, Ui};
 
-use super::{Cursor, ViewContext, ViewSpec};
+use super::{Cursor, ViewContext};
 use crate::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
 use crate::analysis::{Channel, HeldLobe, Subject};
-use crate::ui::export::table;
-use crate::ui::format;
-use crate::ui::session::{DECADES, EntryId, MaterialEntry, Session};
+use crate::study::format;
+use crate::study::session::{DECADES, EntryId, MaterialEntry, Session};
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::ui::widgets::{choice, deltas, draw, handle};
 
 mod marks;
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "hemisphere",
-    title: "Hemisphere",
-    is_of_held: |_| true,
-    what_you_see: "The value in every direction of one side: n in the middle, the horizon at \
-        the rim, colours for values",
-    show,
-    table: Some(table::hemisphere),
-    is_mesh: false,
-};
-
 /// Room for labels around a disc, in points.
 const LABELS: f32 = 15.0;
 
 /// The largest ratio that colours tell apart.
 const LARGEST_RATIO: f64 = 100.0;
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);

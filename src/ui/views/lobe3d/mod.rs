@@ -6,10 +6,10 @@ use std::sync::Arc;
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
-use super::{Cursor, ViewContext, ViewSpec};
-use crate::ui::export::table;
-use crate::ui::scene3d::{self, HomeView, OrbitCamera, SceneView};
-use crate::ui::session::Session;
+use super::{Cursor, ViewContext};
+use crate::study::session::Session;
+use crate::study::session::{HomeView, OrbitCamera};
+use crate::ui::scene3d::{self, Projection as _, SceneView};
 use crate::ui::theme::{Dash, rgba};
 use crate::ui::widgets::legend::{self, Sample};
 use crate::ui::widgets::{draw, handle, reset};
@@ -23,17 +23,6 @@ mod surface;
 pub(super) use scene::DrawingMemo;
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "lobe3d",
-    title: "3D lobe",
-    is_of_held: |_| true,
-    what_you_see: "The lobe over all directions: the distance from the centre is the value f; \
-        drag to orbit",
-    show,
-    table: Some(table::lobe3d),
-    is_mesh: true,
-};
-
 /// Where axes end, beyond the unit dome.
 const AXIS_LENGTH: f32 = 1.22;
 /// How high the view's centre lies when nothing is below the surface: the upper half then fills the view.
@@ -45,7 +34,7 @@ const ARC_RADIUS: f32 = 0.42;
 /// A shorter projection of the held direction has no azimuth worth drawing.
 const FLAT: f32 = 1e-3;
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     legend::show(ui, Sample::Patch, cx.session, cx.palette);
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click_and_drag());

@@ -12,9 +12,10 @@ use crate::analysis::Channel;
 use crate::analysis::lobe::Arrow;
 use crate::analysis::lobe3d::Mesh;
 use crate::bxdf::math::frame;
-use crate::ui::memo::{Memo, Same};
-use crate::ui::scene3d::{OrbitCamera, Scene};
-use crate::ui::session::{EntryId, MaterialEntry, Session};
+use crate::study::memo::{Memo, Same};
+use crate::study::session::OrbitCamera;
+use crate::study::session::{EntryId, MaterialEntry, Session};
+use crate::ui::scene3d::Scene;
 use crate::ui::theme::{Palette, rgba};
 
 /// Brush lines to either side of the middle one.

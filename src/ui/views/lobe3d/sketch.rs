@@ -9,9 +9,10 @@ use super::surface::Lobes;
 use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use crate::analysis::{Channel, RadialScale};
 use crate::bxdf::math::frame;
-use crate::ui::format;
-use crate::ui::scene3d::{OrbitCamera, Ray};
-use crate::ui::session::Session;
+use crate::study::format;
+use crate::study::session::OrbitCamera;
+use crate::study::session::Session;
+use crate::ui::scene3d::{Projection as _, Ray};
 use crate::ui::theme::{self, Palette};
 use crate::ui::widgets::{deltas, draw};
 

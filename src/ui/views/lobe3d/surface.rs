@@ -8,8 +8,8 @@ use glam::Vec3;
 use crate::analysis::Channel;
 use crate::analysis::lobe::Arrow;
 use crate::analysis::lobe3d::{self, Mesh};
+use crate::study::session::{EntryId, LobeSurface, Session};
 use crate::ui::scene3d::{Ray, Rgba, Scene, Surface, Vertex};
-use crate::ui::session::{EntryId, LobeSurface, Session};
 use crate::ui::theme;
 
 /// The largest radius of the lobe: a little less than the dome's, or the two surfaces would flicker into each other.
@@ -291,8 +291,8 @@ impl DrawnLobe {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ui::data::Data;
-    use crate::ui::session::MaterialEntry;
+    use crate::study::data::Data;
+    use crate::study::session::MaterialEntry;
 
     fn lobes(session: &Session) -> Lobes {
         let mut data = Data::new(None, || {});

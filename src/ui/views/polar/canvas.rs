@@ -9,10 +9,11 @@ use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 use super::radial::{Radial, at};
 use crate::analysis::Channel;
 use crate::analysis::polar::{self, Point, Section};
-use crate::ui::session::{Curves, Session, Slot};
+use crate::study::format;
+use crate::study::session::{Curves, Session, Slot};
+use crate::ui::theme;
 use crate::ui::theme::Dash;
 use crate::ui::widgets::{chart, deltas, draw};
-use crate::ui::{format, theme};
 
 /// Radius of the angle labels.
 const ANGLE_LABEL_RADIUS: f64 = 1.075;

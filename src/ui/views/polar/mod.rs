@@ -3,10 +3,9 @@
 use egui::{IdSalt, Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
-use super::{Cursor, ViewContext, ViewSpec};
+use super::{Cursor, ViewContext};
 use crate::analysis::{deltas, polar};
-use crate::ui::export::table;
-use crate::ui::session::{MaterialEntry, wrapped_deg};
+use crate::study::session::{MaterialEntry, wrapped_deg};
 use crate::ui::theme::Dash;
 use crate::ui::widgets::legend::{self, Sample};
 use crate::ui::widgets::{draw, handle, reset};
@@ -17,17 +16,6 @@ mod canvas;
 mod radial;
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "polar",
-    title: "Polar plot",
-    is_of_held: |_| true,
-    what_you_see: "A section of the lobe through the normal n: the length of a ray is the \
-        value f in its direction",
-    show,
-    table: Some(table::polar),
-    is_mesh: false,
-};
-
 /// The room beside the plot's unit circle that labels need, and above it.
 const SIDE_ROOM: f64 = 0.4;
 const TOP_ROOM: f64 = 0.27;
@@ -38,7 +26,7 @@ const WINDOW_SLACK: f64 = 0.005;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     let plotted = plotted(cx);
     let has_deltas = plotted.iter().any(|one| !one.section.stems.is_empty());

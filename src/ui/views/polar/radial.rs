@@ -2,8 +2,8 @@
 
 use crate::analysis::RadialScale;
 use crate::analysis::polar::{Point, Section};
-use crate::ui::format;
-use crate::ui::session::Session;
+use crate::study::format;
+use crate::study::session::Session;
 
 /// The radial scale with the value at the unit circle.
 pub(super) struct Radial {

@@ -5,7 +5,7 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 use super::super::{self as views, ViewContext};
 use super::{color_of, studies};
 use crate::analysis::deltas;
-use crate::ui::format;
+use crate::study::format;
 use crate::ui::theme::{self, Dash};
 use crate::ui::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::ui::widgets::legend::{self, Sample};

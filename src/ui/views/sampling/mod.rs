@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use egui::{Color32, Ui};
 
-use super::{ViewContext, ViewSpec};
+use super::ViewContext;
 use crate::analysis::sampling::Study;
-use crate::ui::export::table;
-use crate::ui::number::NumberSpec;
-use crate::ui::session::{
+use crate::study::number::NumberSpec;
+use crate::study::session::{
     EntryId, MaterialEntry, SAMPLES_LOG2, SEED, SamplingOptions, SamplingPlot, Session,
 };
 use crate::ui::widgets::number::Number;
@@ -18,18 +17,7 @@ mod charts;
 mod discs;
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "sampling",
-    title: "Sampling",
-    is_of_held: |_| true,
-    what_you_see: "Where the sampler sends directions for the held one: good samplers follow \
-        f cos and weigh all samples alike",
-    show,
-    table: Some(table::sampling),
-    is_mesh: false,
-};
-
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);

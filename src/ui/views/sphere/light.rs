@@ -8,7 +8,7 @@ use super::position;
 use crate::analysis::sphere::{self, Light};
 use crate::analysis::{Channel, Subject};
 use crate::bxdf::math::frame;
-use crate::ui::session::{EntryId, LIGHT_PHI, LIGHT_THETA, Session};
+use crate::study::session::{EntryId, LIGHT_PHI, LIGHT_THETA, Session};
 use crate::ui::widgets::{deltas, handle, pictures};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.

@@ -5,13 +5,12 @@ use std::sync::Arc;
 use egui::{Align2, ColorImage, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 use glam::DVec3;
 
-use super::{ViewContext, ViewSpec};
+use super::ViewContext;
 use crate::analysis::Channel;
 use crate::analysis::half_difference::Spherical;
 use crate::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
-use crate::ui::export::table;
-use crate::ui::format;
-use crate::ui::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
+use crate::study::format;
+use crate::study::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
 use crate::ui::theme;
 use crate::ui::widgets::number::Number;
 use crate::ui::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
@@ -20,21 +19,10 @@ use crate::ui::widgets::{choice, draw};
 mod light;
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "sphere",
-    title: "Lit sphere",
-    is_of_held: |_| false,
-    what_you_see: "A sphere of the material under a light, in true proportion; a click takes \
-        the directions of that point",
-    show,
-    table: Some(table::sphere),
-    is_mesh: false,
-};
-
 /// Room around a sphere for the handle of a light that stands behind it, as a share of the picture.
 const MARGIN: f32 = 0.08;
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     if let Some(note) = super::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);

@@ -4,7 +4,7 @@ use egui::{RichText, Ui};
 
 use super::ViewContext;
 use crate::lab::trial::{Outcome, TRIALS, Trial};
-use crate::ui::format;
+use crate::study::format;
 use crate::ui::theme::{self, Dash};
 use crate::ui::widgets::chart::{Axis, Chart, Series};
 use crate::ui::widgets::draw;

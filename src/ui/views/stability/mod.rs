@@ -6,28 +6,16 @@ mod worst;
 
 use egui::{RichText, Ui};
 
-use super::{Cursor, ViewContext, ViewSpec};
+use super::{Cursor, ViewContext};
 use crate::lab::contract::Witness;
 use crate::lab::stability::map::Axis;
 use crate::lab::trial::TRIALS;
-use crate::ui::export::table;
-use crate::ui::session::{ErrorUnit, Session, StabilityPlot};
+use crate::study::session::{ErrorUnit, Session, StabilityPlot};
 use crate::ui::theme;
 use crate::ui::widgets::{choice, draw};
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "stability",
-    title: "Stability",
-    is_of_held: |session| session.views.stability.plot == StabilityPlot::Map,
-    what_you_see: "How far f32 and f64 are off, over two angles or parameters: bright where digits \
-        are lost, contours where the inputs themselves explain it",
-    show,
-    table: Some(table::stability),
-    is_mesh: false,
-};
-
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     match cx.session.views.stability.plot {
         StabilityPlot::Formulas => formulas::show(ui, cx),

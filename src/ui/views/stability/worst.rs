@@ -4,7 +4,7 @@ use egui::{RichText, ScrollArea, Ui};
 
 use super::{ViewContext, go_to};
 use crate::lab::stability::{Extreme, Ranking};
-use crate::ui::format;
+use crate::study::format;
 
 /// Rows of the list.
 const ROWS: usize = 12;

@@ -2,12 +2,12 @@
 
 use egui::{RichText, ScrollArea, Ui};
 
-use super::{SPEC, ViewContext, choose, plot};
+use super::{ViewContext, choose, plot};
 use crate::bxdf::Material;
 use crate::lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
-use crate::ui::export::Format;
-use crate::ui::format;
-use crate::ui::session::ViewId;
+use crate::study::export::Format;
+use crate::study::format;
+use crate::study::session::ViewId;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
     let tolerance = cx.session.views.tradeoff.tolerance;
@@ -74,7 +74,7 @@ fn use_or_save(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report, material:
     if cx.session.material().components() == material.components() {
         let hint = "Write the selected material into a file";
         if ui.small_button("Save it…").on_hover_text(hint).clicked() {
-            cx.state.wished_file = Some((ViewId::of(&SPEC), Format::Toml));
+            cx.state.wished_file = Some((ViewId::of(cx.view), Format::Toml));
         }
         return;
     }

@@ -5,33 +5,22 @@ mod plot;
 
 use egui::{ProgressBar, RichText, Ui};
 
-use super::{Cursor, ViewContext, ViewSpec};
+use super::{Cursor, ViewContext};
 use crate::analysis::hemisphere::Comparison;
 use crate::bxdf::Material;
 use crate::lab::contract::Witness;
 use crate::lab::tradeoff::{FAMILIES, Point};
-use crate::ui::measured::{Run, State};
-use crate::ui::session::{EntryId, MaterialEntry, Materials, TOLERANCE};
+use crate::study::measured::{Run, State};
+use crate::study::session::{EntryId, MaterialEntry, Materials, TOLERANCE};
 use crate::ui::theme::{self, Palette};
 use crate::ui::widgets::number::Number;
 use crate::ui::widgets::{choice, draw};
 
 /// The list entry.
-pub(super) const SPEC: ViewSpec = ViewSpec {
-    id: "tradeoff",
-    title: "Trade-off",
-    is_of_held: |_| false,
-    what_you_see: "What accuracy costs: each mark is a choice, its measured error over its measured \
-        cost; what lies lowest and furthest left is worth choosing",
-    show,
-    table: Some(crate::ui::export::table::tradeoff),
-    is_mesh: false,
-};
-
 /// The choice last clicked at: its family and its place there.
 pub(super) type Chosen = Option<(&'static str, usize)>;
 
-fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let is_wanted = cx.session.views.tradeoff.is_immediate && !cx.data.tradeoff.is_of(cx.session);
     if is_wanted && !ui.ctx().egui_is_using_pointer() {
         start(ui, cx);

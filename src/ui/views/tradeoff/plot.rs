@@ -6,8 +6,8 @@ use egui::{Rect, Sense, Ui, vec2};
 
 use super::{ViewContext, choose, look};
 use crate::lab::tradeoff::{FAMILIES, FamilyReport, Point, Report};
-use crate::ui::format;
-use crate::ui::session::TOLERANCE;
+use crate::study::format;
+use crate::study::session::TOLERANCE;
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::chart::{Axis, Chart, Dots, Mark, Series};
 use crate::ui::widgets::{draw, handle};

@@ -9,7 +9,7 @@ use egui_plot::{
 };
 
 use super::{choice, deltas, draw, reset};
-use crate::ui::format;
+use crate::study::format;
 use crate::ui::theme::{self, Palette};
 pub use axis::Axis;
 pub use series::{Band, Dots, Mark, Series, Stem, style};

@@ -4,8 +4,8 @@ use egui::{Id, Key, Modifiers, Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::error::Result;
 use crate::lab::contract::Witness;
-use crate::ui::data::Data;
-use crate::ui::session::{EntryId, Materials};
+use crate::study::data::Data;
+use crate::study::session::{EntryId, Materials};
 use crate::ui::theme::{self, Palette};
 use row::Row;
 

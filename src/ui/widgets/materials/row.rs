@@ -7,8 +7,8 @@ use egui::{
 };
 
 use super::{Action, grip_id, is_pressed};
-use crate::ui::data::Data;
-use crate::ui::session::{MaterialEntry, Materials};
+use crate::study::data::Data;
+use crate::study::session::{MaterialEntry, Materials};
 use crate::ui::theme::{self, Dash, Palette};
 use crate::ui::widgets::badges::Badges;
 use crate::ui::widgets::draw;

@@ -10,7 +10,7 @@ use egui::{
 
 use super::work::{self, Work};
 use super::{LOGARITHMIC_SPEED, Number, Shown, late};
-use crate::ui::number::plain;
+use crate::study::number::plain;
 use crate::ui::theme;
 
 /// With Shift a drag is slower by this factor.

@@ -5,8 +5,8 @@
 
 use egui::{Response, RichText, Slider, SliderClamping, Ui, accesskit};
 
-use crate::ui::format;
-use crate::ui::number::{NumberSpec, plain};
+use crate::study::format;
+use crate::study::number::{NumberSpec, plain};
 
 mod field;
 mod late;

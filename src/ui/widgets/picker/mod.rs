@@ -10,7 +10,7 @@ use super::thumbnails::Thumbnails;
 use crate::bxdf::material::library::Named;
 use crate::bxdf::{Material, ModelSpec, Side};
 use crate::error::Result;
-use crate::ui::session::{EntryId, MaterialEntry, Materials};
+use crate::study::session::{EntryId, MaterialEntry, Materials};
 use crate::ui::theme;
 use entry::{Entry, List};
 

@@ -6,8 +6,8 @@ use egui::{
 };
 
 use super::draw;
-use crate::ui::format;
-use crate::ui::session::{EntryId, Session};
+use crate::study::format;
+use crate::study::session::{EntryId, Session};
 use crate::ui::theme::{self, Palette};
 pub use scale::{ColorScale, ScaleKind};
 pub use textures::{Source, Texture, Textures};

@@ -1,0 +1,63 @@
+//! The direction last pointed at.
+
+use glam::DVec3;
+
+use super::data::Data;
+use super::session::{EntryId, MaterialEntry, Session};
+use crate::analysis::{HeldLobe, Hold};
+use crate::lab::contract::Witness;
+
+/// A direction pointed at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cursor {
+    /// The material that is pointed at; else the selected one.
+    pub material: EntryId,
+    /// The free direction, a unit vector.
+    pub direction: DVec3,
+}
+
+impl Cursor {
+    /// Holds one direction of the pair at `witness`, which is of a surface that is not turned, and points at the other. A
+    /// light alone is held whatever was held before; a viewer alone likewise.
+    #[must_use]
+    pub fn jump(session: &mut Session, material: EntryId, witness: &Witness) -> Option<Self> {
+        let (held, free) = match (session.hold, witness.wo, witness.wi) {
+            (_, None, None) => return None,
+            (Hold::Light, wo, Some(wi)) | (_, wo @ None, Some(wi)) => {
+                session.hold = Hold::Light;
+                (wi, wo)
+            }
+            (_, Some(wo), wi) => {
+                session.hold = Hold::Viewer;
+                (wo, wi)
+            }
+        };
+        session.hold_on_surface(held);
+        let direction = session.on_surface(free?);
+        Some(Self {
+            material,
+            direction,
+        })
+    }
+
+    /// The material pointed at; the selected one where it is no longer there, or hidden.
+    #[must_use]
+    pub fn entry<'a>(&self, session: &'a Session) -> &'a MaterialEntry {
+        let mut shown = session.materials.shown();
+        let pointed = shown.find(|entry| entry.id() == self.material);
+        pointed.unwrap_or_else(|| session.materials.selected())
+    }
+
+    /// The value there: f in 1/sr (times the cosine, if shown so), per channel; its limit at the horizon.
+    pub fn value(&self, session: &Session, data: &mut Data) -> [f64; 3] {
+        let surface = data.surface(session, self.entry(session));
+        let lobe = HeldLobe::new(&*surface.bxdf, session.hold, session.held());
+        let cosine = if session.with_cosine {
+            self.direction.z.abs()
+        } else {
+            1.0
+        };
+        let value = lobe.value_or_limit(self.direction, self.direction.z >= 0.0);
+        value.map(|f| f * cosine)
+    }
+}

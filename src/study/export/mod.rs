@@ -1,0 +1,178 @@
+//! What a session shows as files. Numbers, meshes and materials are made here; pictures and drawings by the window.
+
+use crate::bxdf::material::file as material_file;
+use crate::error::{Error, Result};
+use crate::study::colors::{Theme, material_color};
+use crate::study::data::Data;
+use crate::study::session::{MaterialEntry, Session};
+use crate::study::views::ViewKind;
+
+pub mod mesh;
+pub mod names;
+pub mod table;
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A picture of the view.
+    Png,
+    /// A drawing of the view.
+    Svg,
+    /// The numbers behind the view.
+    Csv,
+    /// The lobes as a mesh, for modelling programs.
+    Obj,
+    /// The lobes as a mesh, for the web.
+    Gltf,
+    /// The selected material.
+    Toml,
+}
+
+/// What there is to say of a kind of file.
+pub struct FormatSpec {
+    /// The kind.
+    pub format: Format,
+    /// What its names end in.
+    pub extension: &'static str,
+    /// The name at the screen.
+    pub title: &'static str,
+    /// What it holds.
+    pub meaning: &'static str,
+}
+
+/// Every kind of file, in the order of the menu.
+pub static FORMATS: [FormatSpec; 6] = [
+    FormatSpec {
+        format: Format::Png,
+        extension: "png",
+        title: "Picture (PNG)",
+        meaning: "This view as a picture, at twice the size of the screen",
+    },
+    FormatSpec {
+        format: Format::Svg,
+        extension: "svg",
+        title: "Drawing (SVG)",
+        meaning: "This view as a drawing for print: lines stay lines, text stays text",
+    },
+    FormatSpec {
+        format: Format::Csv,
+        extension: "csv",
+        title: "Numbers (CSV)",
+        meaning: "The numbers behind this view, with all their digits and the units in the header",
+    },
+    FormatSpec {
+        format: Format::Obj,
+        extension: "obj",
+        title: "Lobe mesh (OBJ)",
+        meaning: "The lobes of the 3D view as a mesh for modelling programs",
+    },
+    FormatSpec {
+        format: Format::Gltf,
+        extension: "gltf",
+        title: "Lobe mesh (glTF)",
+        meaning: "The lobes of the 3D view as a mesh with their colours",
+    },
+    FormatSpec {
+        format: Format::Toml,
+        extension: "toml",
+        title: "Material (TOML)",
+        meaning: "The selected material as a file that can be opened here",
+    },
+];
+
+/// The kind of file that ends in `extension`, whatever its case.
+#[must_use]
+pub fn format_of(extension: &str) -> Option<Format> {
+    let mut all = FORMATS.iter();
+    let found = all.find(|spec| spec.extension.eq_ignore_ascii_case(extension));
+    found.map(|spec| spec.format)
+}
+
+/// The file of what `view` shows of the session; meshes have the colours of `theme`. `None` for pictures and drawings, which the
+/// window makes.
+///
+/// # Errors
+/// Where the view has nothing to show or no such file, and where no view is named for numbers.
+#[must_use]
+pub fn text(
+    session: &Session,
+    view: Option<&ViewKind>,
+    theme: Theme,
+    format: Format,
+) -> Option<Result<Vec<u8>>> {
+    match format {
+        Format::Png | Format::Svg => None,
+        Format::Csv => Some(numbers(session, view)),
+        Format::Obj => Some(lobes(session, theme).map(|lobes| mesh::obj(&lobes).into_bytes())),
+        Format::Gltf => Some(lobes(session, theme).map(|lobes| mesh::gltf(&lobes).into_bytes())),
+        Format::Toml => Some(Ok(material_file::print(session.material()).into_bytes())),
+    }
+}
+
+/// A view that has no file of some kind, or nothing to show.
+#[must_use]
+pub fn refused(view: &ViewKind, problem: &str) -> Error {
+    Error::parse(format!("view '{}'", view.id), problem)
+}
+
+fn numbers(session: &Session, view: Option<&ViewKind>) -> Result<Vec<u8>> {
+    let Some(view) = view else {
+        return Err(Error::parse(
+            "export",
+            "numbers are those of one view: name it with --view",
+        ));
+    };
+    let Some(fill) = view.table else {
+        return Err(refused(
+            view,
+            "no table: its numbers are copied with its button",
+        ));
+    };
+    let table = fill(session, &mut Data::new(None, || {}));
+    if table.rows.is_empty() {
+        let why = no_values(session).unwrap_or("no light leaves where it looks");
+        return Err(refused(view, &format!("nothing to show: {why}")));
+    }
+    table.csv()
+}
+
+/// The lobes of the materials shown, each with its colour.
+fn lobes(session: &Session, theme: Theme) -> Result<Vec<mesh::Named>> {
+    let mut data = Data::new(None, || {});
+    let request = session.mesh_request();
+    let named = session.materials.shown().map(|entry| mesh::Named {
+        name: session.materials.title(entry),
+        color: linear(material_color(theme, entry.slot())),
+        mesh: data.ask(session, entry, request),
+        with_cosine: session.with_cosine,
+        names: names::Names::of_lobe(session),
+        deltas: data.arrows(session, entry),
+    });
+    let lobes: Vec<mesh::Named> = named.collect();
+    if !lobes.iter().any(mesh::Named::has_mesh) {
+        let why = no_values(session).unwrap_or("no light leaves");
+        return Err(Error::parse("export", format!("no mesh: {why}")));
+    }
+    Ok(lobes)
+}
+
+/// A colour of the screen as shares of light.
+fn linear(color: [u8; 3]) -> [f32; 3] {
+    palette::Srgb::from(color).into_linear().into()
+}
+
+/// Why no view has anything to show.
+#[must_use]
+pub fn nothing_to_show(session: &Session) -> Option<&'static str> {
+    let is_hidden = session.materials.shown().next().is_none();
+    is_hidden.then_some("Every material is hidden")
+}
+
+/// Why an export of values has nothing, though there are materials.
+#[must_use]
+pub fn no_values(session: &Session) -> Option<&'static str> {
+    let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
+    let is_empty = session.materials.shown().all(is_delta);
+    nothing_to_show(session)
+        .or(is_empty.then_some("All light is in Dirac deltas: f and the density are 0 everywhere"))
+}

@@ -1,0 +1,399 @@
+//! A question that is asked again whenever its inputs change, and the last answer to it.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
+
+use super::{Clock, Jobs, Task, locked};
+use crate::analysis::Detail;
+
+/// Tells a computation whether its answer is still wanted.
+pub struct Watch<'a> {
+    newest: &'a AtomicU64,
+    number: u64,
+}
+
+impl Watch<'_> {
+    /// Whether a newer question has been asked since.
+    #[must_use]
+    pub fn is_stale(&self) -> bool {
+        self.newest.load(Ordering::Relaxed) != self.number
+    }
+}
+
+/// What answers a question: the answer, or nothing where it was given up.
+type Compute<V> = dyn Fn(Detail, &Watch<'_>) -> Option<V> + Send + Sync;
+
+/// The last answer to a question, and the question that is being answered.
+pub struct Slot<K, V> {
+    shown: Option<Shown<K, V>>,
+    asked: Arc<Asked<K, V>>,
+    version: u64,
+}
+
+struct Shown<K, V> {
+    number: u64,
+    key: K,
+    value: Arc<V>,
+    detail: Detail,
+}
+
+/// What a slot shares with the workers.
+struct Asked<K, V> {
+    /// The number of the newest question; see [`Watch`].
+    newest: AtomicU64,
+    state: Mutex<AskedState<K, V>>,
+}
+
+struct AskedState<K, V> {
+    question: Option<Question<K, V>>,
+    answer: Option<Shown<K, V>>,
+    /// Whether the slot waits in the queue or a worker is at it.
+    is_queued: bool,
+    /// Seconds the last full answer took.
+    took: Option<f64>,
+}
+
+struct Question<K, V> {
+    number: u64,
+    key: K,
+    first: Detail,
+    compute: Arc<Compute<V>>,
+    clock: Option<Clock>,
+}
+
+impl<K, V> Default for Slot<K, V> {
+    fn default() -> Self {
+        Self {
+            shown: None,
+            asked: Arc::new(Asked {
+                newest: AtomicU64::new(0),
+                state: Mutex::new(AskedState {
+                    question: None,
+                    answer: None,
+                    is_queued: false,
+                    took: None,
+                }),
+            }),
+            version: 0,
+        }
+    }
+}
+
+/// An answer, and what is to be said of it.
+#[derive(Debug)]
+pub struct Answer<V> {
+    /// The answer; to an older question, where the newest one has none yet. `None` before the first.
+    pub value: Option<Arc<V>>,
+    /// In what detail it answers the question asked; `None` for the answer to an older one, and for none.
+    pub detail: Option<Detail>,
+}
+
+impl<V> Answer<V> {
+    /// No answer yet.
+    #[must_use]
+    pub fn nothing() -> Self {
+        Self {
+            value: None,
+            detail: None,
+        }
+    }
+}
+
+impl<K, V> Slot<K, V>
+where
+    K: PartialEq + Clone + Send + 'static,
+    V: Send + Sync + 'static,
+{
+    /// The answer for `key`, computed by `compute` only where the key differs from the last one.
+    ///
+    /// It is computed now if there is time in this frame; else the last answer is returned, and `jobs` wakes the window
+    /// when there is a better one. `first`: the detail of the first answer; short work has no coarse one.
+    pub fn ask(
+        &mut self,
+        jobs: &mut Jobs,
+        key: &K,
+        first: Detail,
+        compute: impl Fn(Detail, &Watch<'_>) -> Option<V> + Send + Sync + 'static,
+    ) -> Answer<V> {
+        self.collect();
+        let is_full = |shown: &Shown<K, V>| shown.key == *key && shown.detail == Detail::Full;
+        let mut state = locked(&self.asked.state);
+        let asked = state.question.as_ref().map(|asked| asked.key == *key);
+        if let Some(shown) = self.shown.as_mut().filter(|shown| is_full(shown)) {
+            // The inputs are what they were: what was asked in between is of no interest any more.
+            if asked == Some(false) {
+                state.question = None;
+                shown.number = self.asked.newest.fetch_add(1, Ordering::Relaxed) + 1;
+            }
+        } else if asked != Some(true) {
+            let number = self.asked.newest.fetch_add(1, Ordering::Relaxed) + 1;
+            if jobs.has_time_for(state.took) {
+                state.question = None;
+                drop(state);
+                self.answer_now(jobs, number, key.clone(), &compute);
+            } else {
+                state.question = Some(Question {
+                    number,
+                    key: key.clone(),
+                    first,
+                    compute: Arc::new(compute),
+                    clock: jobs.clock,
+                });
+                if !std::mem::replace(&mut state.is_queued, true) {
+                    jobs.push(Arc::clone(&self.asked) as _);
+                }
+            }
+        }
+        let answers = |shown: &&Shown<K, V>| shown.key == *key;
+        Answer {
+            value: self.shown.as_ref().map(|shown| Arc::clone(&shown.value)),
+            detail: self
+                .shown
+                .as_ref()
+                .filter(answers)
+                .map(|shown| shown.detail),
+        }
+    }
+
+    fn answer_now(
+        &mut self,
+        jobs: &mut Jobs,
+        number: u64,
+        key: K,
+        compute: &impl Fn(Detail, &Watch<'_>) -> Option<V>,
+    ) {
+        let watch = Watch {
+            newest: &self.asked.newest,
+            number,
+        };
+        let (value, seconds) = jobs.timed(|| compute(Detail::Full, &watch));
+        locked(&self.asked.state).took = Some(seconds);
+        if let Some(value) = value {
+            self.show(Shown {
+                number,
+                key,
+                value: Arc::new(value),
+                detail: Detail::Full,
+            });
+        }
+    }
+
+    /// Shows what a worker has answered, unless something newer is shown.
+    fn collect(&mut self) {
+        let answer = locked(&self.asked.state).answer.take();
+        if let Some(answer) = answer {
+            let rank = |shown: &Shown<K, V>| (shown.number, shown.detail);
+            if self
+                .shown
+                .as_ref()
+                .is_none_or(|shown| rank(shown) < rank(&answer))
+            {
+                self.show(answer);
+            }
+        }
+    }
+
+    fn show(&mut self, answer: Shown<K, V>) {
+        self.shown = Some(answer);
+        self.version += 1;
+    }
+
+    /// A number that grows by 1 with each answer.
+    #[must_use]
+    pub fn version(&self) -> u64 {
+        self.version
+    }
+}
+
+impl<K, V> Task for Asked<K, V>
+where
+    K: PartialEq + Clone + Send + 'static,
+    V: Send + Sync + 'static,
+{
+    fn work(&self, turn: Detail) -> Option<Detail> {
+        let (number, key, first, compute, clock) = {
+            let mut state = locked(&self.state);
+            let Some(question) = &state.question else {
+                state.is_queued = false;
+                return None;
+            };
+            let (key, compute) = (question.key.clone(), Arc::clone(&question.compute));
+            (
+                question.number,
+                key,
+                question.first,
+                compute,
+                question.clock,
+            )
+        };
+        let detail = turn.max(first);
+        // A first answer is always finished: else nothing new would be shown while the inputs keep changing.
+        let unchanging = AtomicU64::new(number);
+        let newest = match turn {
+            Detail::Coarse => &unchanging,
+            Detail::Full => &self.newest,
+        };
+        let start = clock.map(|clock| clock());
+        let value = compute(detail, &Watch { newest, number });
+        let seconds = clock.zip(start).map(|(clock, start)| clock() - start);
+        let mut state = locked(&self.state);
+        if let Some(value) = value {
+            if detail == Detail::Full {
+                state.took = seconds;
+            }
+            state.answer = Some(Shown {
+                number,
+                key,
+                value: Arc::new(value),
+                detail,
+            });
+        }
+        let next = match &state.question {
+            Some(question) if question.number != number => Some(Detail::Coarse),
+            Some(_) if detail == Detail::Coarse => Some(Detail::Full),
+            _ => None,
+        };
+        if next.is_none() {
+            state.question = None;
+            state.is_queued = false;
+        }
+        next
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicUsize;
+    use std::sync::mpsc;
+    use std::time::Duration;
+
+    use super::*;
+    use crate::study::jobs::FRAME_BUDGET;
+    use crate::study::platform;
+
+    /// A pool whose answers are announced.
+    fn pool() -> (Jobs, mpsc::Receiver<()>) {
+        let (sender, receiver) = mpsc::channel();
+        let clock: Clock = platform::seconds;
+        let jobs = Jobs::new(Some(clock), move || {
+            let _ = sender.send(());
+        });
+        (jobs, receiver)
+    }
+
+    fn wait(announced: &mpsc::Receiver<()>) {
+        announced
+            .recv_timeout(Duration::from_secs(10))
+            .expect("an answer");
+    }
+
+    /// What is expected to take long never does so in the frame: first nothing, then a coarse answer, then the full one.
+    #[test]
+    fn answers_come_coarse_first() {
+        let (mut jobs, announced) = pool();
+        let mut slot = Slot::<u32, (u32, Detail)>::default();
+        let (open, gate) = mpsc::channel::<()>();
+        let gate = Mutex::new(gate);
+        let compute = move |detail, _: &Watch<'_>| {
+            let _ = locked(&gate).recv();
+            Some((1, detail))
+        };
+        let compute = Arc::new(compute);
+        let ask = |slot: &mut Slot<_, _>, jobs: &mut Jobs| {
+            let compute = Arc::clone(&compute);
+            slot.ask(jobs, &1, Detail::Coarse, move |detail, watch| {
+                compute(detail, watch)
+            })
+        };
+        assert!(ask(&mut slot, &mut jobs).value.is_none());
+        open.send(()).unwrap();
+        wait(&announced);
+        let answer = ask(&mut slot, &mut jobs);
+        assert_eq!(answer.value.as_deref(), Some(&(1, Detail::Coarse)));
+        assert!(answer.detail == Some(Detail::Coarse) && jobs.is_busy());
+        open.send(()).unwrap();
+        wait(&announced);
+        let answer = ask(&mut slot, &mut jobs);
+        assert_eq!(answer.value.as_deref(), Some(&(1, Detail::Full)));
+        assert!(answer.detail == Some(Detail::Full) && slot.version() == 2);
+    }
+
+    /// A question that was overtaken is given up, and the newest one answered.
+    #[test]
+    fn the_newest_question_counts() {
+        let (mut jobs, announced) = pool();
+        let mut slot = Slot::<u32, u32>::default();
+        let answered = Arc::new(AtomicUsize::new(0));
+        let mut ask = |key: u32| {
+            let answered = Arc::clone(&answered);
+            slot.ask(&mut jobs, &key, Detail::Coarse, move |detail, watch| {
+                // The first question's full answer would take forever.
+                while key == 1 && detail == Detail::Full && !watch.is_stale() {
+                    std::thread::yield_now();
+                }
+                if watch.is_stale() {
+                    return None;
+                }
+                answered.fetch_add(1, Ordering::Relaxed);
+                Some(key)
+            })
+        };
+        ask(1);
+        wait(&announced);
+        for key in 2..100 {
+            ask(key);
+        }
+        loop {
+            wait(&announced);
+            let answer = ask(99);
+            if answer.detail == Some(Detail::Full) {
+                assert_eq!(answer.value.as_deref(), Some(&99));
+                break;
+            }
+        }
+        // Coarse and full ones of the first and the last, and those a worker came to in between.
+        assert!(answered.load(Ordering::Relaxed) < 99);
+    }
+
+    /// What took little time last is computed in the frame that asks, until the frame's time is used up.
+    #[test]
+    fn short_work_is_done_at_once() {
+        let (mut jobs, announced) = pool();
+        let mut slot = Slot::<u32, u32>::default();
+        slot.ask(&mut jobs, &1, Detail::Coarse, |_, _| Some(1));
+        wait(&announced);
+        wait(&announced);
+        assert!(slot.ask(&mut jobs, &1, Detail::Coarse, |_, _| None).detail == Some(Detail::Full));
+        assert_eq!(
+            slot.ask(&mut jobs, &2, Detail::Coarse, |_, _| Some(2))
+                .value
+                .as_deref(),
+            Some(&2)
+        );
+        jobs.spent = FRAME_BUDGET;
+        assert!(
+            slot.ask(&mut jobs, &3, Detail::Coarse, |_, _| Some(3))
+                .detail
+                != Some(Detail::Full)
+        );
+        jobs.begin_frame();
+        assert!(
+            slot.ask(&mut jobs, &4, Detail::Coarse, |_, _| Some(4))
+                .detail
+                == Some(Detail::Full)
+        );
+    }
+
+    #[test]
+    fn without_a_clock_everything_is_answered_at_once() {
+        let mut jobs = Jobs::new(None, || {});
+        let mut slot = Slot::<u32, u32>::default();
+        for key in [1, 2] {
+            let answer = slot.ask(&mut jobs, &key, Detail::Coarse, move |detail, _| {
+                (detail == Detail::Full).then_some(key)
+            });
+            assert!(answer.detail == Some(Detail::Full) && answer.value.as_deref() == Some(&key));
+        }
+        assert!(!jobs.is_busy() && slot.version() == 2);
+    }
+}

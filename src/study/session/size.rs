@@ -1,0 +1,118 @@
+//! How long the text of a session is, without writing it in every frame.
+
+use super::Session;
+use super::entry::MaterialEntry;
+use crate::bxdf::Material;
+use crate::error::Result;
+use crate::files;
+
+/// More than a lobe has as text besides its table: a dozen colours of three numbers.
+const LOBE_ROOM: u64 = 4 << 10;
+
+/// More than a session has as text besides its materials and the names in it.
+const REST_ROOM: u64 = 64 << 10;
+
+/// The most bytes that a byte takes where TOML writes it as an escape sequence.
+const ESCAPED: u64 = 6;
+
+impl Session {
+    /// Refuses a session whose text nobody would read again.
+    ///
+    /// # Errors
+    /// [`Error::Limit`](crate::Error::Limit) where it is longer than [`files::MAX_TEXT`].
+    pub fn require_fit(&self) -> Result<()> {
+        // Only near the limit it is worth being written, to be told to the byte.
+        if self.text_bound() <= files::MAX_TEXT {
+            return Ok(());
+        }
+        files::require_fit("the session with this change", self.to_toml()?.len() as u64)
+    }
+
+    /// At least as many bytes as its text has.
+    fn text_bound(&self) -> u64 {
+        let names = self.locked.iter().chain(&self.views.tradeoff.left_out);
+        let names: u64 = names.map(|name| escaped(name)).sum();
+        let materials: u64 = self.materials.iter().map(entry_bound).sum();
+        REST_ROOM + names + materials
+    }
+}
+
+fn entry_bound(entry: &MaterialEntry) -> u64 {
+    escaped(&entry.name) + material_bound(&entry.material)
+}
+
+fn material_bound(material: &Material) -> u64 {
+    let lobes = material.components().iter().map(|lobe| {
+        let table = lobe.params().table();
+        LOBE_ROOM + table.map_or(0, |table| table.text_bytes())
+    });
+    let said = [&material.name, &material.note, &material.source];
+    let said: u64 = said.into_iter().map(|text| escaped(text)).sum();
+    said + lobes.sum::<u64>()
+}
+
+fn escaped(text: &str) -> u64 {
+    ESCAPED * text.len() as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::bxdf::material::{Component, library};
+    use crate::bxdf::models::MODELS;
+    use crate::bxdf::table::{Shape, Table};
+    use crate::study::session::{MAX_MATERIALS, Materials};
+
+    /// A material whose table has so many nodes along each coordinate.
+    fn table(n: usize) -> Material {
+        let bxdf = "phong".parse::<Material>().unwrap().build::<f64>();
+        let shape = Shape::of(n, true).unwrap();
+        let table = Table::bake(&*bxdf, shape, u64::MAX).unwrap();
+        let mut component: Component = "table".parse().unwrap();
+        component.set_table(Arc::new(table)).unwrap();
+        Material::from(component)
+    }
+
+    #[test]
+    fn the_bound_is_above_the_text_of_everything() {
+        let models = MODELS.into_iter().map(Material::of);
+        let named = library::all().iter().map(|named| named.material.clone());
+        let mut odd = table(3);
+        odd.note = "\u{1}\"\\\n".repeat(1000);
+        for material in models.chain(named).chain([table(16), odd]) {
+            let mut session = Session::of(material);
+            session.locked.insert("\u{7f}".repeat(9000));
+            let text = session.to_toml().unwrap();
+            assert!(session.text_bound() >= text.len() as u64, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_fits_is_read_again_and_what_does_not_is_refused_with_its_size() {
+        // 48 x 48 x 48 nodes are the largest table of the trade-off: 1.7 MiB of text each.
+        let large = table(48);
+        let mut materials = Materials::of(large.clone());
+        while materials.count() < 16 {
+            materials.add(large.clone()).unwrap();
+        }
+        let mut session = Session {
+            materials,
+            ..Session::default()
+        };
+        session.require_fit().unwrap();
+        let text = session.to_toml().unwrap();
+        assert!(text.len() > 26 << 20);
+        assert_eq!(Session::from_toml(&text, "s").unwrap(), session);
+        while session.materials.count() < MAX_MATERIALS {
+            session.materials.add(large.clone()).unwrap();
+        }
+        let line = session.require_fit().unwrap_err().to_string();
+        assert!(
+            line.starts_with("the session with this change is 54.")
+                && line.ends_with("MiB of text; the limit is 32 MiB"),
+            "{line}"
+        );
+    }
+}

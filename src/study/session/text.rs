@@ -1,0 +1,136 @@
+//! Sessions and materials as text, to be copied, pasted and opened.
+
+use toml::de::DeTable;
+
+use super::Session;
+use super::entry::MaterialEntry;
+use crate::bxdf::Material;
+use crate::bxdf::material::{file, library};
+use crate::error::{Error, Result};
+use crate::files;
+
+/// Where pasted text comes from, in errors.
+const PLACE: &str = "clipboard";
+
+/// What a text or a file holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Opened {
+    /// A whole session.
+    Session(Box<Session>),
+    /// A material, to be added.
+    Material(Box<Material>),
+}
+
+impl MaterialEntry {
+    /// The material as text, with the name the user gave it: `id:name=value,name=value` where that says all, else the
+    /// text of its file.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut material = self.material.clone();
+        if !self.name.is_empty() {
+            material.name.clone_from(&self.name);
+        }
+        let is_described = [&material.name, &material.note, &material.source]
+            .iter()
+            .any(|text| !text.is_empty());
+        match material.only() {
+            Some(only) if !is_described => only.to_string(),
+            _ => file::print(&material),
+        }
+    }
+}
+
+/// What a pasted text says: a model with parameters, the id of a named material, or the text of a file.
+///
+/// # Errors
+/// [`Error::Limit`] for a text longer than [`files::MAX_TEXT`], and what readers of sessions and materials refuse.
+pub fn pasted(text: &str) -> Result<Opened> {
+    files::require_fit("the pasted text", text.len() as u64)?;
+    let trimmed = text.trim();
+    let is_line = !trimmed.contains('\n') && !trimmed.contains("[[");
+    if is_line && !trimmed.is_empty() {
+        let material = library::read(trimmed)?;
+        Ok(Opened::Material(Box::new(material)))
+    } else {
+        read(text, PLACE)
+    }
+}
+
+/// What the text of a file says: a session, or a material, which has lobes. `place` names it in errors.
+///
+/// # Errors
+/// Where there is nothing in it, and what readers of sessions and materials refuse.
+pub fn read(text: &str, place: &str) -> Result<Opened> {
+    let table = DeTable::parse(text).map(toml::Spanned::into_inner);
+    if table.as_ref().is_ok_and(toml::map::Map::is_empty) {
+        return Err(Error::parse(place, "there is nothing in it"));
+    }
+    let has_lobes = table.is_ok_and(|table| table.contains_key("lobes"));
+    if has_lobes {
+        let material = file::parse(text, place)?;
+        Ok(Opened::Material(Box::new(material)))
+    } else {
+        let session = Session::from_toml(text, place)?;
+        Ok(Opened::Session(Box::new(session)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::session::Materials;
+
+    /// The material that is pasted.
+    fn material(text: &str) -> Material {
+        match pasted(text).unwrap() {
+            Opened::Material(material) => *material,
+            Opened::Session(_) => panic!("{text} is a session"),
+        }
+    }
+
+    #[test]
+    fn a_text_restores_the_whole_session() {
+        let mut session = Session::of("phong".parse().unwrap());
+        session.materials.add("ward".parse().unwrap()).unwrap();
+        session.materials.selected_mut().is_visible = false;
+        session.theta_deg = 12.5;
+        let text = session.to_toml().unwrap();
+        let opened = Opened::Session(Box::new(session));
+        assert_eq!(pasted(&text).unwrap(), opened);
+        assert_eq!(read(&text, "s.toml").unwrap(), opened);
+    }
+
+    #[test]
+    fn what_is_copied_is_pasted_as_the_same() {
+        for id in ["gold", "car_paint", "phong:exponent=20"] {
+            let materials = Materials::of(library::read(id).unwrap());
+            let text = materials.selected().to_text();
+            assert_eq!(material(&text), materials.selected().material, "{text}");
+        }
+        let mut renamed = Materials::of("phong".parse().unwrap());
+        renamed.selected_mut().name = "Wall".to_owned();
+        let text = renamed.selected().to_text();
+        assert_eq!(material(&text).title(), "Wall");
+        assert_eq!(material(" chalk \n").title(), "Chalk");
+    }
+
+    #[test]
+    fn rubbish_is_refused_in_a_line() {
+        let long = "x".repeat(files::MAX_TEXT as usize + 1);
+        for (text, expected) in [
+            ("", "there is nothing in it"),
+            ("# only\n# remarks\n", "there is nothing in it"),
+            ("golt", "unknown material 'golt'; nearest: gold"),
+            (
+                "Dear all,\nthe meeting is on Monday.",
+                "clipboard: line 1: ",
+            ),
+            ("phong:exponent=-3", "phong: exponent = -3: allowed is"),
+            (long.as_str(), "is 32.1 MiB of text; the limit is 32 MiB"),
+            ("\u{0}\u{1}\u{2}", "unknown material"),
+        ] {
+            let line = pasted(text).unwrap_err().to_string();
+            assert!(line.contains(expected) && !line.contains('\n'), "{line}");
+        }
+    }
+}

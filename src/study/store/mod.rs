@@ -1,0 +1,252 @@
+//! Where sessions are kept: in files of the user's, and between two runs of the program.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::colors::Theme;
+use super::platform;
+use super::session::{Opened, Session};
+use crate::error::Result;
+#[cfg(doc)]
+use crate::files::MAX_TEXT;
+use own::Own;
+use place::Places;
+
+mod dialogs;
+mod files;
+mod own;
+mod place;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use dialogs::Native;
+pub use dialogs::{Answer, Dialogs, Question};
+#[cfg(not(target_arch = "wasm32"))]
+pub use files::Disk;
+pub use files::{Files, Found};
+pub use own::{Keeping, News, Restored};
+
+/// The files opened last and the theme chosen, in the folder of the program's data.
+const PREFERENCES: &str = "preferences.toml";
+
+/// How many recent files are kept.
+const MAX_RECENT: usize = 8;
+
+/// What belongs to the person, not to a session.
+#[derive(Clone, Default, Serialize, Deserialize)]
+#[serde(default)]
+struct Preferences {
+    /// The files opened last, the latest first.
+    recent: Vec<PathBuf>,
+    /// The folder that files were saved in or opened from last.
+    folder: Option<PathBuf>,
+    /// The theme; the system's where none is chosen.
+    theme: Option<Theme>,
+}
+
+/// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
+pub struct Store {
+    places: Places,
+    /// Where the program keeps its own.
+    folder: Option<PathBuf>,
+    preferences: Preferences,
+    own: Own,
+}
+
+impl Store {
+    /// A store on `files`, which keeps the program's own in `folder`; without one it keeps nothing for the next run.
+    #[must_use]
+    pub fn new(files: Arc<dyn Files>, folder: Option<PathBuf>) -> Self {
+        let mut store = Self {
+            places: Places::new(files),
+            folder,
+            preferences: Preferences::default(),
+            own: Own::default(),
+        };
+        store.preferences = store.read_preferences();
+        store
+    }
+
+    /// The store of this machine, in the folder where programs keep their data.
+    #[cfg(not(target_arch = "wasm32"))]
+    #[must_use]
+    pub fn platform() -> Self {
+        let folders = directories::ProjectDirs::from("", "", "brdf-explorer");
+        let folder = folders.map(|folders| folders.data_dir().to_owned());
+        Self::new(Arc::new(Disk), folder)
+    }
+
+    /// Keeps the session in a thread from now on: a disk that is busy does not stop the window.
+    #[must_use]
+    pub fn in_threads(mut self) -> Self {
+        self.own.is_threaded = platform::has_threads();
+        self
+    }
+
+    /// The session of the last run, or the one before it where that cannot be read, or `start`; with what there is to say of
+    /// it. Nothing is written before the session differs from it: what cannot be read stays as it is until then, and is set
+    /// aside under another name.
+    pub fn restore(&mut self, start: Session) -> Restored {
+        match &self.folder {
+            Some(folder) => self.own.restore(&self.places, folder, start),
+            None => Restored {
+                session: start,
+                said: Vec::new(),
+            },
+        }
+    }
+
+    /// Keeps the session for the next run, a moment after it has changed, and again and again where that fails; `now` in
+    /// seconds.
+    pub fn keep(&mut self, session: &Session, now: f64) -> Keeping {
+        match &self.folder {
+            Some(folder) => self.own.keep(&self.places, folder, session, now),
+            None => Keeping::default(),
+        }
+    }
+
+    /// Keeps the session for the next run, at once.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn keep_now(&mut self, session: &Session) -> Result<()> {
+        match &self.folder {
+            Some(folder) => {
+                let kept = self.own.keep_now(&self.places, folder, session);
+                kept.map(|_| ())
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Puts the session where files stand that nobody keeps, for want of a better place. Returns where.
+    #[must_use]
+    pub fn rescue(&self, session: &Session) -> Option<PathBuf> {
+        let name = format!("brdf-explorer-session-{}.toml", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        let kept = self.places.replace(&path, session);
+        kept.is_ok().then_some(path)
+    }
+
+    /// Writes the session to a file of the user's. Returns the name that a file in its place has now, if that could not be
+    /// read.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub fn save(&mut self, path: &Path, session: &Session) -> Result<Option<PathBuf>> {
+        let aside = self.places.replace(path, session)?;
+        self.remember(path);
+        Ok(aside)
+    }
+
+    /// Writes what was exported to a file of the user's.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub fn export(&mut self, path: &Path, bytes: &[u8]) -> Result<()> {
+        self.places.put(path, bytes, || Ok(()))?;
+        self.work_in(path);
+        self.keep_preferences();
+        Ok(())
+    }
+
+    /// What reads a file of the user's, a session or a material, in whichever thread.
+    ///
+    /// # Errors
+    /// Those of what is returned: where the file cannot be read, is larger than [`MAX_TEXT`], and where it is neither.
+    pub fn reader(&self, path: &Path) -> impl FnOnce() -> Result<Opened> + Send + 'static {
+        let (places, path) = (self.places.clone(), path.to_owned());
+        move || places.read(&path)
+    }
+
+    /// What stands at a path.
+    ///
+    /// # Errors
+    /// The system's; `NotFound` where there is nothing.
+    pub fn look(&self, path: &Path) -> std::io::Result<Found> {
+        self.places.files.look(path)
+    }
+
+    /// The folder that files were saved in or opened from last, else that of the user's documents.
+    #[must_use]
+    pub fn working_folder(&self) -> PathBuf {
+        let is_there = |folder: &PathBuf| matches!(self.look(folder), Ok(Found::Folder));
+        let last = self.preferences.folder.clone().filter(is_there);
+        last.or_else(|| home().filter(is_there)).unwrap_or_default()
+    }
+
+    /// The files opened or saved last, the latest first.
+    #[must_use]
+    pub fn recent(&self) -> &[PathBuf] {
+        &self.preferences.recent
+    }
+
+    /// The theme that was chosen last; the system's where there is none.
+    #[must_use]
+    pub fn theme(&self) -> Option<Theme> {
+        self.preferences.theme
+    }
+
+    /// Keeps the theme that is chosen.
+    pub fn keep_theme(&mut self, theme: Option<Theme>) {
+        if self.preferences.theme != theme {
+            self.preferences.theme = theme;
+            self.keep_preferences();
+        }
+    }
+
+    fn own_file(&self, name: &str) -> Option<PathBuf> {
+        self.folder.as_ref().map(|folder| folder.join(name))
+    }
+
+    fn read_preferences(&self) -> Preferences {
+        // Where they are missing or broken there are none: nothing but convenience is lost.
+        let text = self
+            .own_file(PREFERENCES)
+            .and_then(|path| self.places.text(&path).ok());
+        let mut read: Preferences = text
+            .and_then(|text| toml::from_str(&text).ok())
+            .unwrap_or_default();
+        read.recent.truncate(MAX_RECENT);
+        read
+    }
+
+    /// Puts a file that was opened or saved first in the list of recent ones.
+    pub fn remember(&mut self, path: &Path) {
+        // Another window may have been at work meanwhile.
+        if self.folder.is_some() {
+            self.preferences.recent = self.read_preferences().recent;
+        }
+        let recent = &mut self.preferences.recent;
+        recent.retain(|other| other != path);
+        recent.insert(0, path.to_owned());
+        recent.truncate(MAX_RECENT);
+        self.work_in(path);
+        self.keep_preferences();
+    }
+
+    fn work_in(&mut self, path: &Path) {
+        self.preferences.folder = path.parent().map(Path::to_owned);
+    }
+
+    fn keep_preferences(&self) {
+        if let (Some(folder), Ok(text)) = (&self.folder, toml::to_string(&self.preferences))
+            && self.places.files.make_folder(folder).is_ok()
+        {
+            // What cannot be kept is forgotten with the program.
+            let path = folder.join(PREFERENCES);
+            let _ = self.places.put(&path, text.as_bytes(), || Ok(()));
+        }
+    }
+}
+
+/// Where the user's own files are.
+fn home() -> Option<PathBuf> {
+    let folders = directories::UserDirs::new()?;
+    let documents = folders.document_dir().map(Path::to_owned);
+    Some(documents.unwrap_or_else(|| folders.home_dir().to_owned()))
+}
+
+#[cfg(test)]
+mod tests;

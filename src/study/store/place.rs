@@ -1,0 +1,192 @@
+//! Putting files into their places: what is written stands complete in its place, or the file before it does, and what was
+//! there before is kept.
+
+use std::collections::HashMap;
+use std::ffi::OsString;
+use std::hash::Hasher as _;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rustc_hash::FxHasher;
+
+use super::{Files, Found};
+use crate::error::{Error, Result};
+use crate::files::{MAX_TEXT, temporary_beside, text_of};
+use crate::study::session::{self, Opened, Session};
+
+/// How many files that cannot be read are set aside beside one, before it is refused to be written over.
+const MOST_ASIDE: u32 = 99;
+
+/// Files that are put into their places.
+#[derive(Clone)]
+pub(super) struct Places {
+    pub(super) files: Arc<dyn Files>,
+    /// The texts that were found good, or written, by their digests: they are not read through again and again.
+    good: Arc<Mutex<HashMap<PathBuf, u64>>>,
+}
+
+impl Places {
+    pub(super) fn new(files: Arc<dyn Files>) -> Self {
+        Self {
+            files,
+            good: Arc::default(),
+        }
+    }
+
+    /// The session or material at `path`. This is the one judgement of what can be read.
+    ///
+    /// # Errors
+    /// Where it cannot be read, is larger than [`MAX_TEXT`], and where it is neither.
+    pub(super) fn read(&self, path: &Path) -> Result<Opened> {
+        let text = self.text(path)?;
+        let opened = session::read(&text, &path.display().to_string())?;
+        self.note(path, &text);
+        Ok(opened)
+    }
+
+    /// The text of the file at `path`.
+    ///
+    /// # Errors
+    /// Where it cannot be read, is larger than [`MAX_TEXT`], or is no text.
+    pub(super) fn text(&self, path: &Path) -> Result<String> {
+        let bytes = self
+            .files
+            .read(path, MAX_TEXT)
+            .map_err(|error| Error::io(path, error))?;
+        text_of(bytes, path)
+    }
+
+    /// Writes `session` in place of the file at `path`. What was there is kept: as the backup where it can be read, else
+    /// under a name that is free, with the backup as it was. Returns that name.
+    ///
+    /// # Errors
+    /// Where it cannot be written, and where nobody would read it again; the files that were there are as they were.
+    pub(super) fn replace(&self, path: &Path, session: &Session) -> Result<Option<PathBuf>> {
+        session.require_fit()?;
+        let text = session.to_toml()?;
+        let before = self.before(path);
+        let aside = match before {
+            Before::Unreadable => Some(self.aside(path)?),
+            Before::Nothing | Before::Good => None,
+        };
+        self.put(path, text.as_bytes(), || match &aside {
+            Some(aside) => self.files.rename(path, aside),
+            None if matches!(before, Before::Good) => self.back_up(path),
+            None => Ok(()),
+        })?;
+        self.note(path, &text);
+        Ok(aside)
+    }
+
+    /// Writes `bytes` beside the file at `path`, then moves them into its place; `make_room`: what is done in between.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub(super) fn put(
+        &self,
+        path: &Path,
+        bytes: &[u8],
+        make_room: impl FnOnce() -> io::Result<()>,
+    ) -> Result<()> {
+        let failed = |error| Error::io(path, error);
+        match self.files.look(path) {
+            Ok(Found::Folder) => return Err(failed(io::ErrorKind::IsADirectory.into())),
+            Ok(Found::Other) => {
+                return Err(failed(io::Error::other("a device or a pipe, no file")));
+            }
+            Ok(Found::File) | Err(_) => {}
+        }
+        let temporary = temporary_beside(path).map_err(failed)?;
+        let written = self.files.write(&temporary, bytes);
+        let moved = written.and_then(|()| make_room()).and_then(|()| {
+            // Where this fails, what was there has another name by now, which is found at the next start.
+            self.files.rename(&temporary, path)
+        });
+        moved.map_err(|error| {
+            // The error that led here is the one to tell.
+            let _ = self.files.remove(&temporary);
+            failed(error)
+        })
+    }
+
+    /// Makes the file at `path` its backup; a backup that cannot be read is set aside first.
+    fn back_up(&self, path: &Path) -> io::Result<()> {
+        let backup = backup(path);
+        if matches!(self.before(&backup), Before::Unreadable) {
+            let aside = self.aside(&backup).map_err(io::Error::other)?;
+            self.files.rename(&backup, &aside)?;
+        }
+        self.files.rename(path, &backup)?;
+        let mut good = self.good.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(digest) = good.remove(path) {
+            good.insert(backup, digest);
+        }
+        Ok(())
+    }
+
+    /// What stands where something is to be written.
+    fn before(&self, path: &Path) -> Before {
+        match self.files.read(path, MAX_TEXT) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Before::Nothing,
+            Err(_) => return Before::Unreadable,
+            Ok(bytes) if self.is_noted(path, &bytes) => return Before::Good,
+            Ok(_) => {}
+        }
+        match self.read(path) {
+            Ok(_) => Before::Good,
+            Err(_) => Before::Unreadable,
+        }
+    }
+
+    /// A name that is free, for the file at `path` that cannot be read.
+    ///
+    /// # Errors
+    /// `AlreadyExists` where there are [`MOST_ASIDE`].
+    pub(super) fn aside(&self, path: &Path) -> Result<PathBuf> {
+        let names = (1..=MOST_ASIDE).map(|n| with_suffix(path, &format!(".unreadable-{n}")));
+        let is_free = |path: &PathBuf| {
+            let found = self.files.look(path);
+            found.is_err_and(|error| error.kind() == io::ErrorKind::NotFound)
+        };
+        let mut free = names.filter(is_free);
+        free.next()
+            .ok_or_else(|| Error::io(path, io::ErrorKind::AlreadyExists.into()))
+    }
+
+    /// Takes note that `text` stands at `path`, and can be read.
+    fn note(&self, path: &Path, text: &str) {
+        let mut good = self.good.lock().unwrap_or_else(PoisonError::into_inner);
+        good.insert(path.to_owned(), digest(text.as_bytes()));
+    }
+
+    fn is_noted(&self, path: &Path, bytes: &[u8]) -> bool {
+        let good = self.good.lock().unwrap_or_else(PoisonError::into_inner);
+        good.get(path) == Some(&digest(bytes))
+    }
+}
+
+/// What stands where something is to be written.
+#[derive(Clone, Copy)]
+enum Before {
+    Nothing,
+    Good,
+    Unreadable,
+}
+
+fn digest(bytes: &[u8]) -> u64 {
+    let mut hasher = FxHasher::default();
+    hasher.write(bytes);
+    hasher.finish()
+}
+
+/// The place of the last good file before the one at `path`.
+pub(super) fn backup(path: &Path) -> PathBuf {
+    with_suffix(path, ".bak")
+}
+
+pub(super) fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+    let mut name = path.file_name().map_or_else(OsString::new, OsString::from);
+    name.push(suffix);
+    path.with_file_name(name)
+}

@@ -1,0 +1,79 @@
+//! The lobes and factors of values.
+
+use super::ViewKind;
+use crate::bxdf::{Category, Side};
+use crate::study::data::Data;
+use crate::study::export::names::{self, Names};
+use crate::study::export::table::{Table, Value, shown};
+use crate::study::session::Session;
+
+pub(super) const KIND: ViewKind = ViewKind {
+    id: "decomposition",
+    title: "Decomposition",
+    is_of_held: |_| true,
+    what_you_see: "What the value is made of: lobes that sum to it, or the factors D, G and F \
+        of a microfacet model",
+    table: Some(table),
+    is_mesh: false,
+};
+
+/// Of the decomposition: the lobes, and the factors where there are any.
+fn table(session: &Session, data: &mut Data) -> Table {
+    let values = names::CHANNELS.map(|(_, channel)| format!("value_{channel}"));
+    let first = ["material", "part", "side", "lobe", "angle (degrees)"];
+    let columns = first.map(str::to_owned).into_iter().chain(values);
+    let last = ["quantity", "unit"].map(str::to_owned);
+    let mut table = Table::named(columns.chain(last).collect());
+    let names = Names::of_decomposition(session);
+    for (entry, title) in shown(session) {
+        let parts = data.ask(session, entry, session.decomposition_request());
+        let mut push = |[part, side, lobe]: [&str; 3],
+                        angle: f64,
+                        rgb: [f64; 3],
+                        [quantity, unit]: [&str; 2]| {
+            let text = |word: &str| Value::Text(word.to_owned());
+            let channels = names::CHANNELS.map(|(channel, _)| channel.of(rgb));
+            let numbers = [angle].into_iter().chain(channels).map(Value::Number);
+            let words = [title.as_str(), part, side, lobe].map(text);
+            let last = [quantity, unit].map(text);
+            let row = words.into_iter().chain(numbers).chain(last);
+            table.rows.push(row.collect());
+        };
+        for part in &parts.lobes {
+            let words = [part.lobe.category.id(), part.lobe.side.id(), part.lobe.name];
+            for (angle, value) in parts.angles_deg.iter().zip(&part.values) {
+                push(words, *angle, *value, [&names.quantity, &names.unit]);
+            }
+        }
+        for stem in parts.stems.iter().filter(|stem| stem.is_inside) {
+            let words = [Category::PerfectSpecular.id(), stem.side.id(), ""];
+            push(words, stem.x_deg, stem.flux, [&names.delta, ""]);
+        }
+        let Some(factors) = &parts.factors else {
+            continue;
+        };
+        let side = |angle: f64| {
+            if angle.abs() <= 90.0 {
+                Side::Reflection.id()
+            } else {
+                Side::Transmission.id()
+            }
+        };
+        let rows = parts.angles_deg.iter().zip(&factors.is_defined).enumerate();
+        for (index, (angle, is_defined)) in rows {
+            let of = |values: &[f64]| values.get(index).map(|value| [*value; 3]);
+            let fresnel = factors.fresnel.get(index).copied();
+            let all = [
+                ("D", of(&factors.d), "1/sr"),
+                ("G", of(&factors.g), ""),
+                ("F", fresnel, ""),
+            ];
+            for (name, value, unit) in all {
+                if let Some(value) = value.filter(|_| *is_defined) {
+                    push([name, side(*angle), ""], *angle, value, [name, unit]);
+                }
+            }
+        }
+    }
+    table
+}

@@ -1,0 +1,32 @@
+//! A section of the lobes.
+
+use super::ViewKind;
+use crate::analysis::polar::Point;
+use crate::study::data::Data;
+use crate::study::export::names::Names;
+use crate::study::export::table::{Table, shown};
+use crate::study::session::Session;
+
+pub(super) const KIND: ViewKind = ViewKind {
+    id: "polar",
+    title: "Polar plot",
+    is_of_held: |_| true,
+    what_you_see: "A section of the lobe through the normal n: the length of a ray is the \
+        value f in its direction",
+    table: Some(table),
+    is_mesh: false,
+};
+
+/// Of the polar plot: the section.
+fn table(session: &Session, data: &mut Data) -> Table {
+    let columns = ["material", "angle (degrees)"];
+    let mut table = Table::named(Names::of_lobe(session).columns(&columns));
+    for (entry, title) in shown(session) {
+        let section = data.ask(session, entry, session.section_request());
+        for Point { angle, value } in section.lower.iter().chain(&section.upper) {
+            table.push_value(&title, [angle.to_degrees()], *value);
+        }
+        table.push_stems(&title, &section.stems);
+    }
+    table
+}

@@ -1,0 +1,297 @@
+//! Opening, saving, dropping, and what is kept for the next run.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use egui::{Align2, Context, Event, ThemePreference};
+
+use super::App;
+use super::files::{Asking, Files};
+use super::picture::Maker;
+use crate::error::{Error, Result};
+use crate::files;
+use crate::study::colors;
+use crate::study::session::{self, Opened};
+use crate::study::store::{Dialogs, News, Question, Store};
+use crate::ui::widgets::saved::Saved;
+
+/// The name proposed for a new file.
+const NEW_NAME: &str = "session.toml";
+
+/// The most bytes that are pasted into a text field at once: no name, number or path is longer, and much longer lines take
+/// seconds to be laid out.
+const MOST_TYPED: usize = 1 << 14;
+
+impl App {
+    /// Writes a file of the user's, and says where it is.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub(super) fn write_file(&mut self, path: &Path, bytes: &[u8]) -> Result<()> {
+        if let Some(files) = &mut self.files {
+            files.store.export(path, bytes)?;
+            self.saved = Some(Saved::to(path));
+        }
+        Ok(())
+    }
+
+    /// Works on files from here on, and goes on with the session of the last run, if there is one. Pictures and tests
+    /// have no files unless they are given some.
+    pub fn work_on(
+        &mut self,
+        ctx: &Context,
+        mut store: Store,
+        dialogs: Box<dyn Dialogs>,
+        maker: Maker,
+    ) {
+        ctx.set_theme(match store.theme() {
+            None => ThemePreference::System,
+            Some(colors::Theme::Dark) => ThemePreference::Dark,
+            Some(colors::Theme::Light) => ThemePreference::Light,
+        });
+        let restored = store.restore(self.session.clone());
+        if restored.session != self.session {
+            self.restart(restored.session);
+        }
+        if !restored.said.is_empty() {
+            self.notice.say_all(&restored.said);
+        }
+        self.files = Some(Files {
+            store,
+            asking: Asking::by(dialogs),
+            maker,
+            file: None,
+        });
+    }
+
+    /// Whether files can be opened and saved.
+    #[must_use]
+    pub fn has_files(&self) -> bool {
+        self.files.is_some()
+    }
+
+    /// The files opened or saved last, the latest first.
+    #[must_use]
+    pub fn recent_files(&self) -> &[PathBuf] {
+        let files = self.files.as_ref();
+        files.map_or(&[], |files| files.store.recent())
+    }
+
+    /// Asks for a file to open.
+    pub fn ask_open(&mut self) {
+        if let Some(files) = &mut self.files {
+            files.ask(Question::Open);
+        }
+    }
+
+    /// Asks for a file to save to.
+    pub fn ask_save(&mut self) {
+        if let Some(files) = &mut self.files {
+            let name = files.file.as_ref().and_then(|path| path.file_name());
+            let name = name.map_or(NEW_NAME.into(), |name| name.to_string_lossy().into_owned());
+            files.ask(Question::Save(name));
+        }
+    }
+
+    /// Saves to the file of the session; asks for one where it has none.
+    pub fn save(&mut self) {
+        match self.files.as_ref().and_then(|files| files.file.clone()) {
+            Some(path) => {
+                let saved = self.save_to(&path);
+                self.notice.report(saved);
+            }
+            None => self.ask_save(),
+        }
+    }
+
+    /// Saves to a file, which is that of the session from now on, and says where it is.
+    ///
+    /// # Errors
+    /// Where it cannot be written; the file that was there is as it was.
+    pub(super) fn save_to(&mut self, path: &Path) -> Result<()> {
+        let Some(files) = &mut self.files else {
+            return Ok(());
+        };
+        let aside = files.store.save(path, &self.session)?;
+        files.file = Some(path.to_owned());
+        let mut saved = Saved::to(path);
+        if let Some(aside) = aside {
+            saved.add(&set_aside(&aside));
+        }
+        self.saved = Some(saved);
+        Ok(())
+    }
+
+    /// Opens a file: a session in place of this one, a material beside the others. What is on the screen stays where it
+    /// cannot be read.
+    pub fn open(&mut self, path: &Path, ctx: &Context) {
+        if let Some(files) = &self.files {
+            let read = files.store.reader(path);
+            self.read_file(path.to_owned(), read, ctx);
+        }
+    }
+
+    /// Shows what was opened, from the file at `path`, or pasted.
+    pub(super) fn take(&mut self, opened: Result<Opened>, path: Option<PathBuf>) {
+        let is_session = matches!(opened, Ok(Opened::Session(_)));
+        let taken = opened.and_then(|opened| match opened {
+            Opened::Session(session) => {
+                session.require_fit()?;
+                self.session = *session;
+                Ok(())
+            }
+            Opened::Material(material) => self.session.materials.add(*material).map(|_| ()),
+        });
+        if self.notice.report(taken).is_none() {
+            return;
+        }
+        if let (Some(files), Some(path)) = (&mut self.files, path) {
+            files.store.remember(&path);
+            if is_session {
+                files.file = Some(path);
+            }
+        }
+    }
+
+    /// Takes back what this frame has done where nobody would read the session again: no edit leads to a session that cannot
+    /// be kept.
+    pub(in crate::ui) fn refuse_what_does_not_fit(&mut self) {
+        let before = self.history.present();
+        if self.session == *before {
+            return;
+        }
+        if let Err(error) = self.session.require_fit() {
+            self.session.clone_from(before);
+            self.notice.say(&format!("{error}; nothing is changed"));
+        }
+    }
+
+    /// Takes what is pasted where no text field does, what is dropped on the window, and what a dialog answers.
+    pub(in crate::ui) fn take_what_comes(&mut self, ctx: &Context) {
+        self.take_what_is_read(ctx);
+        if ctx.text_edit_focused() {
+            self.refuse_long_pastes(ctx);
+        } else {
+            self.take_paste(ctx);
+        }
+        let dropped = ctx.input(|input| input.raw.dropped_files.clone());
+        for file in dropped {
+            self.open(file.path(), ctx);
+        }
+        self.write_exports(ctx);
+        if self.files.is_some() {
+            say_what_dropping_does(ctx);
+            self.take_answers(ctx);
+        }
+    }
+
+    /// Reads what is pasted, the last where there are several.
+    fn take_paste(&mut self, ctx: &Context) {
+        let pasted = ctx.input(|input| {
+            let mut events = input.events.iter().rev();
+            events.find_map(|event| match event {
+                Event::Paste(text) => Some(Ok(text.clone())),
+                Event::PasteImage(_) => Some(Err(Error::parse("clipboard", "a picture, no text"))),
+                _ => None,
+            })
+        });
+        match pasted {
+            Some(Ok(text)) => self.read_pasted(text.len(), move || session::pasted(&text), ctx),
+            Some(Err(error)) => self.notice.say(&error),
+            None => {}
+        }
+    }
+
+    /// Keeps long texts from the text field that has the keyboard.
+    fn refuse_long_pastes(&mut self, ctx: &Context) {
+        let is_long = |event: &Event| match event {
+            Event::Paste(text) if text.len() > MOST_TYPED => Some(text.len()),
+            _ => None,
+        };
+        let longest = ctx.input(|input| input.events.iter().filter_map(is_long).max());
+        if let Some(length) = longest {
+            ctx.input_mut(|input| input.events.retain(|event| is_long(event).is_none()));
+            let [length, most] = [length, MOST_TYPED].map(|n| files::in_words(n as u64));
+            let line = format!("the pasted text is {length}; a field takes {most} at most");
+            self.notice.say(&line);
+        }
+    }
+
+    /// Keeps the theme for the next run, and the session a moment after it has changed.
+    pub(in crate::ui) fn keep(&mut self, ctx: &Context) {
+        let Some(files) = &mut self.files else { return };
+        files
+            .store
+            .keep_theme(match ctx.options(|options| options.theme_preference) {
+                ThemePreference::System => None,
+                ThemePreference::Dark => Some(colors::Theme::Dark),
+                ThemePreference::Light => Some(colors::Theme::Light),
+            });
+        let now = ctx.input(|input| input.time);
+        let keeping = files.store.keep(&self.session, now);
+        if let Some(news) = keeping.news {
+            let (lasting, done) = match news {
+                News::Failed(error) => {
+                    let line = "the session is not kept for the next start, which is tried again";
+                    (Some(format!("{error}: {line}")), None)
+                }
+                News::Recovered => (None, Some("The session is kept again".to_owned())),
+                News::SetAside(path) => (None, Some(set_aside(&path))),
+            };
+            self.notice.say_lasting(lasting.as_deref());
+            self.saved = done.map(|text| Saved::done(&text)).or(self.saved.take());
+        }
+        if let Some(seconds) = keeping.again {
+            ctx.request_repaint_after(Duration::from_secs_f64(seconds));
+        }
+    }
+
+    /// Keeps the session for the next run, at the end of this one. Where that fails it is put where there is room, and told of
+    /// by [`Self::exit_problem`].
+    pub(in crate::ui) fn keep_now(&mut self) {
+        let Some(files) = &mut self.files else { return };
+        let Err(error) = files.store.keep_now(&self.session) else {
+            return;
+        };
+        let remedy = match files.store.rescue(&self.session) {
+            Some(path) => format!("it is in {}: open it from there", path.display()),
+            None => "its last changes are lost".to_owned(),
+        };
+        let problem = format!("the session is not kept for the next start: {error}");
+        let mut told = self
+            .exit_problem
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        *told = Some(Error::Platform { problem, remedy });
+    }
+
+    /// Where what goes wrong at the end is told, when no window is there to say it.
+    #[must_use]
+    pub fn exit_problem(&self) -> Arc<Mutex<Option<Error>>> {
+        Arc::clone(&self.exit_problem)
+    }
+}
+
+/// What became of a file that could not be read.
+fn set_aside(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    format!("What stood there and could not be read is now {name}")
+}
+
+/// While files hover over the window: what becomes of them if they are let go.
+fn say_what_dropping_does(ctx: &Context) {
+    if ctx.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    egui::Area::new(egui::Id::unique("drop"))
+        .anchor(Align2::CENTER_CENTER, egui::Vec2::ZERO)
+        .order(egui::Order::Foreground)
+        .show(ctx, |ui| {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.heading(
+                    "Drop to open: a session in place of this one, a material beside the others",
+                );
+            });
+        });
+}

@@ -1,0 +1,267 @@
+//! The window around the views: its panels and menus, and what happens in a frame.
+
+use std::path::PathBuf;
+
+use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, ScrollArea, Ui};
+
+use super::app::{App, keys};
+use super::commands::{self, COMMANDS, Command, Group, OPEN, help, search};
+use super::theme::{self, Palette};
+use super::tiles::Wish;
+use super::views::{self, ViewContext};
+use super::widgets::params::Ties;
+use super::widgets::search::Outcome;
+use super::widgets::{badges, directions, layouts, options, status};
+use crate::study::cursor::Cursor;
+use crate::study::history::Control;
+use crate::study::session::{SHARES, Session};
+use crate::study::views::ViewKind;
+
+impl App {
+    fn show_view(&mut self, ui: &mut Ui, view: &'static ViewKind, palette: &Palette) {
+        let mut cx = ViewContext {
+            view,
+            session: &mut self.session,
+            data: &mut self.data,
+            state: &mut self.state,
+            cursor: &mut self.cursor,
+            palette,
+        };
+        ui.push_id(view.id, |ui| {
+            views::warn_of_held(ui, &mut cx);
+            views::show(ui, &mut cx);
+        });
+    }
+
+    fn show_side(&mut self, ui: &mut Ui, palette: &Palette) {
+        ui.add_space(4.0);
+        self.list_header(ui);
+        let Session {
+            materials, locked, ..
+        } = &mut self.session;
+        let listed = self.list.show(ui, materials, &mut self.data, palette);
+        let mut wished = self.notice.report(listed).flatten();
+        ui.separator();
+        let picked = self.picker.show(ui, materials);
+        self.notice.report(picked);
+        ui.separator();
+        let area = ScrollArea::vertical()
+            .id_salt("parameters")
+            .auto_shrink([false, false]);
+        area.show(ui, |ui| {
+            // The scroll bar must not lie over the reset buttons.
+            ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
+            let before = materials.selected().clone();
+            let mut edited = before.clone();
+            let mut ties = Ties {
+                has_linked_widths: &mut edited.has_linked_widths,
+                locked,
+                is_shared: &|spec| materials.is_shared(spec),
+            };
+            ui.push_id(before.id(), |ui| {
+                let title = materials.title(&before);
+                let material = &mut edited.material;
+                let clicked = badges::show(ui, &title, &before, material, &mut self.data, palette);
+                wished = clicked.or(wished.take());
+                self.components.show(ui, material, &mut ties);
+            });
+            if edited != before {
+                *materials.selected_mut() = edited;
+                materials.follow(&before, locked);
+            }
+            ui.add_space(4.0);
+        });
+        if let Some(witness) = wished {
+            let selected = self.session.materials.selected().id();
+            self.cursor = Cursor::jump(&mut self.session, selected, &witness).or(self.cursor);
+        }
+    }
+
+    /// The heading of the list, with the commands that add to it.
+    fn list_header(&mut self, ui: &mut Ui) {
+        let mut wished = None;
+        ui.horizontal(|ui| {
+            ui.label(RichText::new("Your materials").strong());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                for command in [&commands::PASTE, &commands::ADD] {
+                    if command.button(ui, self) {
+                        wished = Some(command);
+                    }
+                }
+            });
+        });
+        self.run(wished, ui.ctx());
+    }
+
+    /// The bar at the top: the menu of files, undo and redo, and how values are drawn.
+    fn show_top(&mut self, ui: &mut Ui) {
+        let mut wished = None;
+        options::headline(ui, |ui| {
+            wished = self.file_menu(ui);
+            layouts::menu(ui, &mut self.session);
+            for command in [&commands::UNDO, &commands::REDO, &commands::HELP] {
+                if command.button(ui, self) {
+                    wished = Some(command);
+                }
+            }
+        });
+        self.run(wished, ui.ctx());
+        options::show(ui, &mut self.session);
+    }
+
+    fn run(&mut self, wished: Option<&'static Command>, ctx: &Context) {
+        if let Some(command) = wished {
+            command.try_run(self, ctx);
+        }
+    }
+
+    /// The menu of files. Returns the command chosen.
+    fn file_menu(&mut self, ui: &mut Ui) -> Option<&'static Command> {
+        let (mut wished, mut recent) = (None, None);
+        ui.menu_button("File", |ui| {
+            let of_files = |command: &&&Command| command.group == Group::File;
+            for command in COMMANDS.iter().filter(of_files) {
+                if command.menu_item(ui, self) {
+                    wished = Some(*command);
+                }
+                if command.id == OPEN.id {
+                    recent = self.recent_menu(ui);
+                }
+            }
+        });
+        if let Some(path) = recent {
+            self.open(&path, ui.ctx());
+        }
+        wished
+    }
+
+    /// The files opened or saved last. Returns the one chosen.
+    fn recent_menu(&self, ui: &mut Ui) -> Option<PathBuf> {
+        let recent = self.recent_files();
+        let mut chosen = None;
+        ui.add_enabled_ui(!recent.is_empty(), |ui| {
+            ui.menu_button("Open recent", |ui| {
+                for path in recent {
+                    let name = path.file_name().unwrap_or(path.as_os_str());
+                    let item = ui.button(name.to_string_lossy());
+                    if item.on_hover_text(path.display().to_string()).clicked() {
+                        chosen = Some(path.clone());
+                        ui.close();
+                    }
+                }
+            });
+        });
+        chosen
+    }
+
+    /// The windows above all else: the help, the search of the commands, and what a key did, over the `views`.
+    fn show_windows(&mut self, ctx: &Context, views: Rect) {
+        self.show_path_field(ctx);
+        if self.is_help_shown {
+            self.is_help_shown = help::show(ctx);
+        }
+        if let Some(mut search) = self.search.take() {
+            match search::show(&mut search, ctx, self) {
+                Outcome::Open => self.search = Some(search),
+                Outcome::Closed => {}
+                Outcome::Chosen(command) => command.run_and_say(self, ctx),
+            }
+        }
+        self.said.show(ctx, views);
+    }
+
+    fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
+        let mut layout = self.session.layout.clone();
+        let mut tiles = self.tiles.take().unwrap_or_default();
+        let wished = tiles.show(ui, &mut layout, &mut |ui, view| {
+            self.show_view(ui, view, palette);
+        });
+        self.tiles = Some(tiles);
+        self.session.layout = layout;
+        let asked = self.state.take_wished_file();
+        match wished.or_else(|| asked.map(|(view, format)| (view, Wish::Export(format)))) {
+            Some((view, Wish::Export(format))) => self.ask_export(view, format),
+            Some((view, Wish::CopyPicture)) => self.copy_picture(view, ui.ctx()),
+            None => {}
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn raw_input_hook(&mut self, _ctx: &Context, raw_input: &mut RawInput) {
+        self.pacing.pace(&mut raw_input.events);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.pacing.take();
+        if self.pacing.is_waiting() {
+            ui.ctx().request_repaint();
+        }
+        let palette = Palette::of(ui.ctx().theme());
+        let is_small = ui.available_size().min(theme::USABLE_SIZE) != theme::USABLE_SIZE;
+        if is_small && self.only.is_none() {
+            CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
+            return;
+        }
+        self.session.keep_allowed(self.history.present());
+        self.data.begin_frame(&self.session);
+        self.state.begin_frame();
+        let before = self.cursor;
+        if let Some(view) = self.only {
+            let frame = egui::Frame::NONE
+                .fill(palette.background)
+                .inner_margin(theme::TILE_MARGIN);
+            CentralPanel::no_frame()
+                .frame(frame)
+                .show(ui, |ui| self.show_view(ui, view, &palette));
+            return;
+        }
+        commands::run_pressed(self, ui.ctx());
+        self.take_what_comes(ui.ctx());
+        Panel::top("top").show(ui, |ui| self.show_top(ui));
+        Panel::bottom("status").show(ui, |ui| {
+            let selected = self.session.materials.selected();
+            let shares = self.data.ask(&self.session, selected, SHARES);
+            // Panels are drawn before the views: the line shows the pointer of the frame before.
+            let value = before.map(|cursor| cursor.value(&self.session, &mut self.data));
+            status::show(
+                ui,
+                &self.session,
+                before.as_ref().zip(value),
+                &shares,
+                self.data.progress(),
+                &palette,
+            );
+        });
+        self.notice.show(ui);
+        self.show_reading(ui);
+        if self.saved.as_mut().is_some_and(|saved| !saved.show(ui)) {
+            self.saved = None;
+        }
+        Panel::left("side")
+            .resizable(false)
+            .exact_size(theme::SIDE_WIDTH)
+            .show(ui, |ui| self.show_side(ui, &palette));
+        Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
+        let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
+        let views = CentralPanel::no_frame()
+            .frame(frame)
+            .show(ui, |ui| self.show_views(ui, &palette));
+        self.show_windows(ui.ctx(), views.response.rect);
+        self.session.keep_allowed(self.history.present());
+        self.refuse_what_does_not_fit();
+        self.history.record(
+            &self.session,
+            keys::control_at_work(ui.ctx()).map(|id| Control(id.value())),
+        );
+        self.keep(ui.ctx());
+        // Panels are drawn before the views: what was said since is shown by the next frame.
+        if self.cursor != before || self.notice.is_new() {
+            ui.ctx().request_repaint();
+        }
+    }
+
+    fn on_exit(&mut self) {
+        self.keep_now();
+    }
+}
