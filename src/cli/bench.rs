@@ -12,7 +12,8 @@ use crate::bxdf::models::MODELS;
 use crate::bxdf::{Material, Precision, Side, batch};
 use crate::error::{self, Error, Result, shown};
 use crate::files;
-use crate::lab::speed::{Control, Mode, Operation, PAIRS, Pairs, Row, measure};
+use crate::lab::control::Control;
+use crate::lab::speed::{Mode, Operation, PAIRS, Pairs, Row, measure};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {

@@ -1,6 +1,7 @@
 //! Instruments: what holds of a model, and how exactly.
 
 pub mod contract;
+pub mod control;
 pub mod rounding;
 pub mod spectral;
 pub mod speed;
