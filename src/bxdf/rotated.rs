@@ -204,8 +204,8 @@ impl<R: Real> Bxdf<R> for Rotated<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::{cos_sin_deg, direction_from_degrees};
+    use crate::Material;
+    use crate::math::frame::{cos_sin_deg, direction_from_degrees};
 
     #[test]
     fn turning_the_surface_is_turning_the_directions_back() {

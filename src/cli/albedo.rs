@@ -8,11 +8,13 @@ use serde::Serialize;
 
 use super::args::{self, Given};
 use super::output;
-use crate::analysis::isotropy;
-use crate::analysis::reflectance::{LobeShare, MAX_EVALUATIONS, Reflectance, by_kind, lobe_shares};
-use crate::bxdf::Bxdf;
-use crate::bxdf::math::frame::direction_from_degrees;
-use crate::error::{Result, line};
+use bxdf::Bxdf;
+use bxdf::error::{Result, line};
+use bxdf::math::frame::direction_from_degrees;
+use bxdf_lab::analysis::isotropy;
+use bxdf_lab::analysis::reflectance::{
+    LobeShare, MAX_EVALUATIONS, Reflectance, by_kind, lobe_shares,
+};
 
 /// The absolute error asked of the quadrature: a few digits beyond those printed, at no wait for any model.
 const TOLERANCE: f64 = 1e-9;
@@ -169,7 +171,7 @@ fn channels(rgb: [f64; 3]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::{Category, Lobe};
+    use bxdf::{Category, Lobe};
 
     #[test]
     fn lobes_of_one_kind_count_together() {

@@ -7,12 +7,12 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 use xprec::Df64;
 
 use super::say;
-use crate::bxdf::Material;
-use crate::bxdf::material::{self, library};
-use crate::bxdf::math::Real;
-use crate::error::{Error, Result, shown};
-use crate::files;
-use crate::lab::contract::check_energy;
+use bxdf::Material;
+use bxdf::error::{Error, Result, shown};
+use bxdf::material::{self, library};
+use bxdf::math::Real;
+use bxdf_lab::contract::check_energy;
+use bxdf_study::files;
 
 /// The word that stands for standard input or output.
 pub(super) const STANDARD_STREAM: &str = "-";

@@ -7,13 +7,13 @@ use serde::Serialize;
 
 use super::args::{self, Given, PrecisionName};
 use super::{check, input, output};
-use crate::bxdf::math::Real;
-use crate::bxdf::models::MODELS;
-use crate::bxdf::{Material, Precision, Side, batch};
-use crate::error::{self, Error, Result, shown};
-use crate::files;
-use crate::lab::control::Control;
-use crate::lab::speed::{Mode, Operation, PAIRS, Pairs, Row, measure};
+use bxdf::error::{self, Error, Result, shown};
+use bxdf::math::Real;
+use bxdf::models::MODELS;
+use bxdf::{Material, Precision, Side, batch};
+use bxdf_lab::control::Control;
+use bxdf_lab::speed::{Mode, Operation, PAIRS, Pairs, Row, measure};
+use bxdf_study::files;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {

@@ -6,10 +6,10 @@ use serde::Serialize;
 
 use super::args::{self, Given};
 use super::output;
-use crate::bxdf::models::MODELS;
-use crate::error::{Result, shown};
-use crate::lab::contract::{Effort, LawReport, check_all, check_material};
-use crate::lab::stability::{Extent, Extreme, examine_all, examine_material, table};
+use bxdf::error::{Result, shown};
+use bxdf::models::MODELS;
+use bxdf_lab::contract::{Effort, LawReport, check_all, check_material};
+use bxdf_lab::stability::{Extent, Extreme, examine_all, examine_material, table};
 
 #[derive(clap::Args)]
 #[expect(clippy::struct_excessive_bools, reason = "flags of the command line")]

@@ -8,10 +8,10 @@ use xprec::Df64;
 use super::args::{self, Given, PrecisionName, STANDARD_STREAM};
 use super::input::{self, COLUMNS, Row, Rows};
 use super::output::Table;
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::Real;
-use crate::bxdf::{Bxdf, Precision};
-use crate::error::Result;
+use bxdf::batch::{Columns, Job, Path};
+use bxdf::error::Result;
+use bxdf::math::Real;
+use bxdf::{Bxdf, Precision};
 
 /// The columns added to those read.
 const RESULTS: [&str; 4] = ["f_r", "f_g", "f_b", "pdf"];

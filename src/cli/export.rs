@@ -4,9 +4,9 @@ use std::path::Path;
 
 use super::output;
 use super::render::{self, RenderArgs};
-use crate::error::{Error, Result};
-use crate::study::export::{self, FORMATS};
-use crate::study::views;
+use bxdf::error::{Error, Result};
+use bxdf_study::export::{self, FORMATS};
+use bxdf_study::views;
 
 /// Writes the file that the request names; what it holds follows from the end of its name.
 ///

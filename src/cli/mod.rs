@@ -30,8 +30,8 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
-use crate::error::{Error, Result, line, printable, shown};
-use crate::parallel;
+use bxdf::error::{Error, Result, line, printable, shown};
+use bxdf_study::parallel;
 
 /// The exit code of a check that failed.
 const CHECK_FAILED: u8 = 1;
@@ -133,7 +133,7 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
 
 #[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 fn window() -> Result<()> {
-    crate::ui::run()
+    bxdf_ui::run()
 }
 
 #[cfg(not(all(feature = "gui", not(target_arch = "wasm32"))))]

@@ -6,11 +6,11 @@ use serde::Serialize;
 use serde_json::{Value as Json, json};
 
 use super::output;
-use crate::bxdf::material::library::{self, Named};
-use crate::bxdf::models::MODELS;
-use crate::bxdf::param::{Kind, ParamSpec, Value};
-use crate::bxdf::{Category, Lobe, ModelSpec};
-use crate::error::Result;
+use bxdf::error::Result;
+use bxdf::material::library::{self, Named};
+use bxdf::models::MODELS;
+use bxdf::param::{Kind, ParamSpec, Value};
+use bxdf::{Category, Lobe, ModelSpec};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {

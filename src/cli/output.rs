@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::args::is_standard_stream;
 use super::partial::Partial;
-use crate::error::{Error, Result};
+use bxdf::error::{Error, Result};
 
 /// How standard output is called in messages.
 const STANDARD_OUTPUT: &str = "standard output";

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::files;
+use bxdf_study::files;
 
 /// The files that are being written.
 static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());

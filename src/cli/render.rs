@@ -4,13 +4,13 @@
 use std::path::{Path, PathBuf};
 
 use super::args::{self, Angles, Given};
-use crate::analysis::Hold;
-use crate::bxdf::Material;
-use crate::error::{Error, Result, shown};
-use crate::study::colors::Theme;
-use crate::study::export::Format;
-use crate::study::session::{Materials, Session, wrapped_deg};
-use crate::study::views::{self, ViewKind};
+use bxdf::Material;
+use bxdf::error::{Error, Result, shown};
+use bxdf_lab::analysis::Hold;
+use bxdf_study::colors::Theme;
+use bxdf_study::export::Format;
+use bxdf_study::session::{Materials, Session, wrapped_deg};
+use bxdf_study::views::{self, ViewKind};
 
 /// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
 const MAX_PIXELS: u32 = 8192;
@@ -150,14 +150,14 @@ pub(super) fn drawn(
     view: Option<&'static ViewKind>,
     format: Format,
 ) -> Result<Vec<u8>> {
-    let picture = crate::ui::headless::Picture {
+    let picture = bxdf_ui::headless::Picture {
         session,
         only: view,
         size: request.size,
         scale: request.scale as f32,
-        theme: crate::ui::theme::of_egui(request.theme.unwrap_or_default()),
+        theme: bxdf_ui::theme::of_egui(request.theme.unwrap_or_default()),
     };
-    crate::ui::export::bytes(picture, format)
+    bxdf_ui::export::bytes(picture, format)
 }
 
 /// No picture: this build has no window.

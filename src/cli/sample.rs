@@ -6,11 +6,11 @@ use xprec::Df64;
 
 use super::args::{self, Angles, Given, PrecisionName, STANDARD_STREAM};
 use super::output::Table;
-use crate::analysis::sampling::{CHUNK, Draw, Draws, FIRST_SEED};
-use crate::bxdf::Precision;
-use crate::bxdf::math::Real;
-use crate::bxdf::math::frame::direction_from_degrees;
-use crate::error::{Error, Result, shown};
+use bxdf::Precision;
+use bxdf::error::{Error, Result, shown};
+use bxdf::math::Real;
+use bxdf::math::frame::direction_from_degrees;
+use bxdf_lab::analysis::sampling::{CHUNK, Draw, Draws, FIRST_SEED};
 
 /// The columns written.
 const COLUMNS: [&str; 11] = [

@@ -7,11 +7,11 @@ use serde::Serialize;
 
 use super::args::{self, Given};
 use super::{check, output};
-use crate::bxdf::batch;
-use crate::error::{self, Error, Result, shown};
-use crate::lab::timing::WallClock;
-use crate::lab::tradeoff::table::{COLUMNS, rows};
-use crate::lab::tradeoff::{
+use bxdf::batch;
+use bxdf::error::{self, Error, Result, shown};
+use bxdf_lab::timing::WallClock;
+use bxdf_lab::tradeoff::table::{COLUMNS, rows};
+use bxdf_lab::tradeoff::{
     self, Advice, DEFAULT_TOLERANCES, FAMILIES, Family, FamilyReport, Point, Study, advise, measure,
 };
 

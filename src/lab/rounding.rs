@@ -11,8 +11,8 @@ use glam::DVec3;
 use xprec::Df64;
 
 use super::subject::{Neighbour, Subject};
-use crate::bxdf::Bxdf;
-use crate::bxdf::math::{Real, Vec3};
+use bxdf::Bxdf;
+use bxdf::math::{Real, Vec3};
 
 /// What the law allows in units of (1 + kappa) u: the roundings of some two dozen operations, which rarely all add up.
 const ROUNDINGS: f64 = 16.0;
@@ -178,8 +178,8 @@ fn least<R: Real>() -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::math::frame::direction_from_degrees;
-    use crate::bxdf::models;
+    use bxdf::math::frame::direction_from_degrees;
+    use bxdf::models;
 
     #[test]
     fn a_blade_is_worse_conditioned_than_paper() {

@@ -7,9 +7,9 @@ use serde::Serialize;
 
 use super::control::{Control, Controls, time};
 use super::timing::Timing;
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::Real;
-use crate::bxdf::{Bxdf, Material, Precision};
+use bxdf::batch::{Columns, Job, Path};
+use bxdf::math::Real;
+use bxdf::{Bxdf, Material, Precision};
 
 /// Pairs of directions of a batch: their arrays are beyond every cache, as a renderer's are.
 pub const PAIRS: usize = 1 << 20;

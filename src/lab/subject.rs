@@ -7,10 +7,10 @@ use serde::Serialize;
 use xprec::Df64;
 
 use super::rounding::{WHOLE, condition_numbers};
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::{Real, frame};
-use crate::bxdf::param::{ParamSet, ParamSpec, Value};
-use crate::bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
+use bxdf::batch::{Columns, Job, Path};
+use bxdf::math::{Real, frame};
+use bxdf::param::{ParamSet, ParamSpec, Value};
+use bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
 
 /// Where a deviation is found: as text, and the directions for whoever wants to go there.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -74,7 +74,7 @@ pub struct Neighbour {
 }
 
 /// A number for each text: its FNV-1a hash.
-pub(in crate::lab) fn seed_of(text: &str) -> u64 {
+pub(crate) fn seed_of(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     })
@@ -191,40 +191,40 @@ impl Subject {
     }
 
     /// The index of refraction on the side of `w`.
-    pub(in crate::lab) fn index_at(&self, w: DVec3) -> f64 {
+    pub(crate) fn index_at(&self, w: DVec3) -> f64 {
         if w.z < 0.0 { self.relative_index } else { 1.0 }
     }
 
     /// Flux over radiance of what goes from `wi` to `wo`: e^2, e being the index on wi's side over that on wo's.
-    pub(in crate::lab) fn flux_factor(&self, wo: DVec3, wi: DVec3) -> f64 {
+    pub(crate) fn flux_factor(&self, wo: DVec3, wi: DVec3) -> f64 {
         let e = self.index_at(wi) / self.index_at(wo);
         e * e
     }
 
     /// Whether one of the lobes goes to `side`.
-    pub(in crate::lab) fn has_side(&self, side: Side) -> bool {
+    pub(crate) fn has_side(&self, side: Side) -> bool {
         self.lobes.iter().any(|lobe| lobe.side == side)
     }
 
     /// Whether one of the lobes is of `category`.
-    pub(in crate::lab) fn has_category(&self, category: Category) -> bool {
+    pub(crate) fn has_category(&self, category: Category) -> bool {
         self.lobes.iter().any(|lobe| lobe.category == category)
     }
 
     /// Whether a glossy lobe crosses the surface.
-    pub(in crate::lab) fn has_transmitted_lobe(&self) -> bool {
+    pub(crate) fn has_transmitted_lobe(&self) -> bool {
         self.lobes.iter().any(|lobe| {
             lobe.side == Side::Transmission && lobe.category == Category::GlossySpecular
         })
     }
 
     /// A seed that depends on model and parameters only.
-    pub(in crate::lab) fn seed(&self) -> u64 {
+    pub(crate) fn seed(&self) -> u64 {
         seed_of(&self.name)
     }
 
     /// The witness of a comparison at these directions, of which `wo` and `wi` are the viewer's and the light's.
-    pub(in crate::lab) fn witness(&self, directions: &[(&str, DVec3)]) -> Witness {
+    pub(crate) fn witness(&self, directions: &[(&str, DVec3)]) -> Witness {
         let places = directions.iter().map(|(name, w)| {
             let (theta, phi) = (frame::theta(*w).to_degrees(), frame::phi(*w).to_degrees());
             format!(" {name} ({theta:.7}, {phi:.7})")
@@ -242,7 +242,7 @@ impl Subject {
 }
 
 /// `params` with every number rounded to the nearest `f32` inside its range.
-pub(in crate::lab) fn rounded_to_single(params: &ParamSet) -> ParamSet {
+pub(crate) fn rounded_to_single(params: &ParamSet) -> ParamSet {
     let mut rounded = params.clone();
     for (spec, value) in params.iter() {
         let round = |x: f64| f64::from(x as f32);

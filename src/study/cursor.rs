@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use super::data::Data;
 use super::session::{EntryId, MaterialEntry, Session};
-use crate::analysis::{HeldLobe, Hold};
-use crate::lab::contract::Witness;
+use bxdf_lab::analysis::{HeldLobe, Hold};
+use bxdf_lab::contract::Witness;
 
 /// A direction pointed at.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,12 +8,12 @@ use super::jobs::{Answer, Clock, Jobs, Slot};
 use super::measured::Measured;
 use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Session};
-use crate::analysis::lobe::Arrow;
-use crate::analysis::{Detail, HeldLobe, Hold, Question, Subject};
-use crate::bxdf::math::frame;
-use crate::bxdf::rotated::Rotated;
-use crate::bxdf::{Bxdf, Material};
-use crate::lab::contract::{LawReport, check_physical};
+use bxdf::math::frame;
+use bxdf::rotated::Rotated;
+use bxdf::{Bxdf, Material};
+use bxdf_lab::analysis::lobe::Arrow;
+use bxdf_lab::analysis::{Detail, HeldLobe, Hold, Question, Subject};
+use bxdf_lab::contract::{LawReport, check_physical};
 
 /// Seconds after which it is said that something is being computed.
 const BLINK: f64 = 0.1;

@@ -7,9 +7,9 @@ use glam::DVec3;
 
 use super::platform;
 use super::session::Session;
-use crate::bxdf::Material;
-use crate::lab::timing::{Stopwatch, WallClock};
-use crate::lab::tradeoff::{self, FAMILIES, Family, Report, Study};
+use bxdf::Material;
+use bxdf_lab::timing::{Stopwatch, WallClock};
+use bxdf_lab::tradeoff::{self, FAMILIES, Family, Report, Study};
 
 /// The trade-off of the material last measured.
 pub struct Measured {

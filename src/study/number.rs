@@ -1,6 +1,6 @@
 //! What a number of the window may be: said once, for the control that edits it and for the reader of the file.
 
-use crate::bxdf::param::ParamSpec;
+use bxdf::param::ParamSpec;
 
 /// A number that can be typed, dragged and stored.
 #[derive(Clone, Copy, Debug)]

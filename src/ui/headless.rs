@@ -7,7 +7,7 @@ use wgpu::Backends;
 
 use super::app::App;
 pub use super::app::Picture;
-use crate::error::{Error, Result};
+use bxdf::error::{Error, Result};
 
 /// The most frames a picture takes to settle: layout needs two or three.
 const MAX_FRAMES: u64 = 32;

@@ -12,10 +12,10 @@ use super::views::{self, ViewContext};
 use super::widgets::params::Ties;
 use super::widgets::search::Outcome;
 use super::widgets::{badges, directions, layouts, options, status};
-use crate::study::cursor::Cursor;
-use crate::study::history::Control;
-use crate::study::session::{SHARES, Session};
-use crate::study::views::ViewKind;
+use bxdf_study::cursor::Cursor;
+use bxdf_study::history::Control;
+use bxdf_study::session::{SHARES, Session};
+use bxdf_study::views::ViewKind;
 
 impl App {
     fn show_view(&mut self, ui: &mut Ui, view: &'static ViewKind, palette: &Palette) {

@@ -10,9 +10,9 @@ use egui_tiles::{
 };
 
 use super::theme;
-use crate::study::export::{FORMATS, Format};
-use crate::study::session::{Layout, Part, ViewId};
-use crate::study::views::{self as kinds, ViewKind};
+use bxdf_study::export::{FORMATS, Format};
+use bxdf_study::session::{Layout, Part, ViewId};
+use bxdf_study::views::{self as kinds, ViewKind};
 
 /// What is to be made of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -244,7 +244,7 @@ impl Behavior<ViewId> for Panes<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::session::READY_LAYOUTS;
+    use bxdf_study::session::READY_LAYOUTS;
 
     #[test]
     fn a_tree_stands_for_its_layout() {

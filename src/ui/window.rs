@@ -5,10 +5,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::app::App;
 use super::{export, headless, theme};
-use crate::error::{Error, Result};
-use crate::study::platform;
-use crate::study::session::Session;
-use crate::study::store::{Native, Store};
+use crate::dialogs::Native;
+use bxdf::error::{Error, Result};
+use bxdf_study::platform;
+use bxdf_study::session::Session;
+use bxdf_study::store::Store;
 
 /// Opens the window and runs it until it is closed.
 ///

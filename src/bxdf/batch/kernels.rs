@@ -1,8 +1,8 @@
 //! What a batch computes for a block of elements.
 
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::{Bxdf, Sample};
+use crate::math::{Real, Vec3};
+use crate::optics::Spectrum;
+use crate::{Bxdf, Sample};
 
 /// Elements that are worked on at a time: the results stay in the fastest cache.
 pub(super) const BLOCK: usize = 64;

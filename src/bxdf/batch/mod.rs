@@ -159,11 +159,7 @@ pub enum Path {
 }
 
 /// Runs `job` on `bxdf`.
-pub(in crate::bxdf) fn run<R: Real, B: Bxdf<R> + ?Sized>(
-    bxdf: &B,
-    path: Path,
-    job: Job<'_, R::Stored>,
-) {
+pub(crate) fn run<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, path: Path, job: Job<'_, R::Stored>) {
     if R::DISPATCHES && path == Path::Dispatched {
         dispatch(bxdf, job);
     } else {

@@ -3,7 +3,7 @@
 //! In f32 a cosine near 1 knows its distance from 1 to 6e-8 only, and the 1e4th power turns that into 6e-4. The distance
 //! itself is at hand: as half the square of the difference of two unit vectors, or by the square of a sine.
 
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// cos^n of the angle between the unit vectors `a` and `b`; 0 from a right angle on.
 ///

@@ -1,9 +1,9 @@
 //! Half vectors whose slopes follow a Gaussian, whether they are visible or not: what Ward's lobe is sampled by.
 
 use super::cosine_power::azimuth;
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::microfacet::Normals;
-use crate::bxdf::microfacet::beckmann::Beckmann;
+use crate::math::{Real, Vec3};
+use crate::microfacet::Normals;
+use crate::microfacet::beckmann::Beckmann;
 
 /// Slopes of density exp(-(x/`alpha_x`)^2 - (y/`alpha_y`)^2) / (pi `alpha_x` `alpha_y`).
 #[derive(Clone, Copy, Debug)]

@@ -4,11 +4,11 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crate::bxdf::param::{ParamSet, ParamSpec, Value};
-use crate::bxdf::spec::{ModelSpec, Precision, StandIn};
-use crate::bxdf::table::Table;
-use crate::bxdf::{Bxdf, models};
 use crate::error::{Error, Result, shown};
+use crate::param::{ParamSet, ParamSpec, Value};
+use crate::spec::{ModelSpec, Precision, StandIn};
+use crate::table::Table;
+use crate::{Bxdf, models};
 
 /// The factor on all values of a component, as a parameter: files, sessions, sliders and the command line take the range from
 /// here.
@@ -263,7 +263,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::bxdf::param::Kind;
+    use crate::param::Kind;
 
     #[test]
     fn text_round_trips() {

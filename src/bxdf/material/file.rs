@@ -22,15 +22,15 @@ use toml::de::{DeTable, DeValue};
 
 use super::component::Assignments;
 use super::{Component, Material, WEIGHT};
-use crate::bxdf::param::Kind;
-use crate::bxdf::{models, param};
 use crate::error::{Error, Result, shown};
+use crate::param::Kind;
+use crate::{models, param};
 
 /// The keys that describe a material and do not change it, in the order in which they are printed.
 const DESCRIPTIONS: [&str; 3] = ["name", "note", "source"];
 
 /// The most bytes of a description: some pages. They are laid out whole, and one of many megabytes stops the screen.
-pub(crate) const MAX_DESCRIPTION: usize = 1 << 14;
+pub const MAX_DESCRIPTION: usize = 1 << 14;
 
 /// A table, its key or its value in the text.
 type Entry<'a> = (

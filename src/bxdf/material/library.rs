@@ -1,4 +1,4 @@
-//! The library: the materials of `assets/materials`, by name, embedded in the program.
+//! The library: the materials of `materials`, by name, embedded in the program.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::{Material, file};
-use crate::bxdf::models::{self, MODELS};
 use crate::error::{Error, Result, shown};
+use crate::models::{self, MODELS};
 
 /// The files. Their folder is the one list of them.
-static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/materials");
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/materials");
 
 static ALL: LazyLock<Vec<Named>> = LazyLock::new(|| {
     // A test reads every file: none is left out here.
@@ -124,7 +124,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::bxdf::models::MODELS;
+    use crate::models::MODELS;
 
     #[test]
     fn every_file_is_a_material_that_says_what_it_is() {

@@ -2,8 +2,8 @@
 
 use super::mixed_samples;
 use super::mixture::Mixture;
-use crate::bxdf::batch::{Directions, Job, Path, TripleMut};
-use crate::bxdf::math::{Real, Vec3};
+use crate::batch::{Directions, Job, Path, TripleMut};
+use crate::math::{Real, Vec3};
 
 /// Pairs that are worked on at a time: the components' results stay in the fastest cache.
 pub(super) const STRETCH: usize = 256;

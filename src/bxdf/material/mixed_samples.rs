@@ -3,9 +3,9 @@
 
 use super::mixed_batch::{STRETCH, evaluate};
 use super::mixture::Mixture;
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::{Bxdf, Side};
+use crate::batch::{Columns, Job, Path};
+use crate::math::{Real, Vec3};
+use crate::{Bxdf, Side};
 
 /// What samples are drawn by: the components of wo, the number that chooses, and two for the direction.
 pub(super) type Given<'a, S> = [&'a [S]; 6];

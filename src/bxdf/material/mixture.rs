@@ -1,10 +1,10 @@
 //! The weighted sum of models, evaluated, drawn and integrated as one.
 
-use crate::bxdf::batch::{Job, Path};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::spec::Lobe;
-use crate::bxdf::{Bxdf, Delta, Deltas, Sample, Side};
+use crate::batch::{Job, Path};
+use crate::math::{Real, Vec3};
+use crate::optics::Spectrum;
+use crate::spec::Lobe;
+use crate::{Bxdf, Delta, Deltas, Sample, Side};
 
 use super::mixed_batch::{run_mixture, weighed};
 use super::{Component, MAX_COMPONENTS};

@@ -12,7 +12,7 @@
 
 use super::visible_slope::{central_slope, visible_slope};
 use super::{Masked, Masking, Normals, Pair};
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// Below this cos^2 the exponent of D is beyond 1 / 1e-3 - 1 = 999 for every width to 1: exp underflows to 0 in every
 /// precision, and the division by cos^4 must not get the chance to make that 0 / 0.

@@ -15,7 +15,7 @@
 
 use super::beckmann::Beckmann;
 use super::{Masked, Masking, Normals, Pair};
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// From this A on nothing is masked.
 const UNMASKED: f64 = 1.6;

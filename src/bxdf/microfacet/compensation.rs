@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::multiple_scattering::EnergyTable;
 use super::{Distribution, Masking};
-use crate::bxdf::math::Real;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::optics::facet_fresnel::FacetFresnel;
-use crate::bxdf::param::ParamSet;
+use crate::math::Real;
+use crate::optics::Spectrum;
+use crate::optics::facet_fresnel::FacetFresnel;
+use crate::param::ParamSet;
 
 /// The part that several reflections have in a lobe.
 pub trait SeveralFacets<R: Real>: Send + Sync + 'static {

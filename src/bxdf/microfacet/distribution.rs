@@ -4,9 +4,9 @@ use super::beckmann::Beckmann;
 use super::beckmann_rational::BeckmannRational;
 use super::ggx::Ggx;
 use super::{Masked, Masking, Pair};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::param::{ParamSet, ParamSpec, Value};
-use crate::bxdf::spec::StandIn;
+use crate::math::{Real, Vec3};
+use crate::param::{ParamSet, ParamSpec, Value};
+use crate::spec::StandIn;
 
 /// A distribution of microfacet normals with its masking, chosen by the parameter `distribution`.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +71,7 @@ impl<R: Real> Distribution<R> {
 /// whose loops have no wide form.
 macro_rules! with_normals {
     ($real:ty, $params:expr, $normals:ident => $made:expr) => {{
-        use $crate::bxdf::microfacet::Distribution;
+        use $crate::microfacet::Distribution;
         let distribution = Distribution::<$real>::from_params($params);
         if <$real>::VECTORISES {
             match distribution {

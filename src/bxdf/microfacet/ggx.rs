@@ -8,7 +8,7 @@
 //! digits. In f32 at alpha 1e-3 the form used here is good to 7e-7, the textbook form to 38 %.
 
 use super::{Masked, Masking, Normals, Pair};
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// GGX with widths `alpha_x`, `alpha_y` along s and t, both above 0.
 #[derive(Clone, Copy, Debug)]

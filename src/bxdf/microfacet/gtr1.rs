@@ -4,7 +4,7 @@
 //! Burley 2012, "Physically Based Shading at Disney", appendix B.2 (`burley2012`), normalised:
 //! (a^2 - 1) / (pi ln(a^2) (a^2 + (1 - a^2) sin^2)).
 
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// GTR1 of one width, above 0 and below 1.
 #[derive(Clone, Copy, Debug)]

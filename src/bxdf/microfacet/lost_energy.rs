@@ -14,8 +14,8 @@
 use std::sync::OnceLock;
 
 use super::{Distribution, Masking, Normals};
-use crate::bxdf::math::quadrature::gauss_legendre;
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::quadrature::gauss_legendre;
+use crate::math::{Real, Vec3};
 
 /// Gauss-Legendre nodes along w and along asinh(r / alpha).
 const NODES: [usize; 2] = [40, 24];

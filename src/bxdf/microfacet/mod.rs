@@ -13,12 +13,12 @@ mod visible_slope;
 
 pub use distribution::{Distribution, Normals};
 
-use crate::bxdf::both_above;
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::fresnel::{Dielectric, RelativeIndex};
-use crate::bxdf::optics::interface::Interface;
-use crate::bxdf::param::{ParamSet, ParamSpec, Scale, Value};
-use crate::bxdf::spec::StandIn;
+use crate::both_above;
+use crate::math::{Real, Vec3};
+use crate::optics::fresnel::{Dielectric, RelativeIndex};
+use crate::optics::interface::Interface;
+use crate::param::{ParamSet, ParamSpec, Scale, Value};
+use crate::spec::StandIn;
 
 /// How masking (towards the viewer) and shadowing (towards the light) go together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

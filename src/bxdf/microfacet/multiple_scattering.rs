@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::Masking;
 use super::lost_energy::Lobe;
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// Terms of the Chebyshev series through which the integrals are interpolated: 1.2e-6 at the worst width.
 const TERMS: u32 = 40;

@@ -1,10 +1,10 @@
 //! Facets of a clear surface: of two directions, the one that mirrors or refracts the one into the other.
 
 use super::Pair;
-use crate::bxdf::are_across;
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::fresnel::RelativeIndex;
-use crate::bxdf::optics::interface::Interface;
+use crate::are_across;
+use crate::math::{Real, Vec3};
+use crate::optics::fresnel::RelativeIndex;
+use crate::optics::interface::Interface;
 
 /// A facet that turns `wo` into `wi`, in the frame in which `wo` is above.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@
 //! Heitz 2014 for the distribution (`heitz2014`), Jakob 2014 for the first guess of its inverse (`jakob2014`), and Giles 2011
 //! for that of erf (`giles2011`).
 
-use crate::bxdf::math::Real;
+use crate::math::Real;
 
 /// Visible slopes in units of alpha lie within +-10: beyond it lies a share of exp(-100) = 4e-44, less than the smallest
 /// step of a random number in any precision.
@@ -159,7 +159,7 @@ fn first_guess<R: Real>(cos: R, sin: R, end: R, u: R) -> R {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::math::Fast;
+    use crate::math::Fast;
 
     #[test]
     fn slopes_invert_their_distribution_at_every_angle() {

@@ -17,11 +17,11 @@
 //! grazing; so do narrow ones (half) where the light comes within their width of the horizon.
 
 use super::*;
-use crate::bxdf::glossy::cosine_power::{azimuth, ln_cos_over_sin2, sample_about_z};
-use crate::bxdf::glossy::{LOBES, Mixture, OverDiffuse, exponent, reflected, shares};
-use crate::bxdf::microfacet::Pair;
-use crate::bxdf::optics::{Spectrum, fresnel};
-use crate::bxdf::param::ParamSet;
+use crate::glossy::cosine_power::{azimuth, ln_cos_over_sin2, sample_about_z};
+use crate::glossy::{LOBES, Mixture, OverDiffuse, exponent, reflected, shares};
+use crate::microfacet::Pair;
+use crate::optics::{Spectrum, fresnel};
+use crate::param::ParamSet;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -191,8 +191,8 @@ impl<R: Real> OverDiffuse<R> for AshikhminShirley<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::frame::direction_from_degrees;
     use std::f64::consts::PI;
 
     #[test]

@@ -13,13 +13,13 @@
 //! surfaces brighten. Sums of diffuse and specular above 1 create energy (declared below).
 
 use super::*;
-use crate::bxdf::glossy::{
+use crate::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exceeds_one, exponent, reflected,
     shares,
 };
-use crate::bxdf::microfacet::Pair;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
+use crate::microfacet::Pair;
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -118,9 +118,9 @@ impl<R: Real> OverDiffuse<R> for BlinnPhong<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::Vec3;
+    use crate::math::frame::direction_from_degrees;
     use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
     #[test]

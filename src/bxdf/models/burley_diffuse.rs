@@ -13,11 +13,11 @@
 //! 6.25 times the reflectance where both directions graze at roughness 1.
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::optics::fresnel::schlick_weight;
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{both_above, sample_reflection};
+use crate::math::warp;
+use crate::optics::Spectrum;
+use crate::optics::fresnel::schlick_weight;
+use crate::param::ParamSet;
+use crate::{both_above, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -105,9 +105,9 @@ impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::Vec3;
+    use crate::math::frame::direction_from_degrees;
 
     fn f(roughness: f64, theta_o: f64, theta_i: f64) -> f64 {
         let material: Material = format!("burley_diffuse:reflectance=1,roughness={roughness}")

@@ -19,11 +19,11 @@
 //! twentyfold: errors reach 1.3 times their bound.
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::microfacet::half_vector;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{both_above, sample_reflection};
+use crate::math::warp;
+use crate::microfacet::half_vector;
+use crate::optics::Spectrum;
+use crate::param::{ParamSet, Scale};
+use crate::{both_above, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {

@@ -16,12 +16,12 @@
 //! at grazing angles. f0 = 1 reflects all at every angle; f0 = 0 nothing, at every angle. m 1e-4..1.
 
 use super::*;
-use crate::bxdf::glossy::gaussian_slopes::GaussianSlopes;
-use crate::bxdf::glossy::reflected;
-use crate::bxdf::microfacet::{Pair, alpha, evaluated_by_pair};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Microfacet, sample_reflection};
+use crate::glossy::gaussian_slopes::GaussianSlopes;
+use crate::glossy::reflected;
+use crate::microfacet::{Pair, alpha, evaluated_by_pair};
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
+use crate::{Microfacet, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -166,9 +166,9 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
 #[cfg(test)]
 mod tests {
     use super::reflectance;
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::direction_from_degrees;
-    use crate::bxdf::optics::fresnel;
+    use crate::Material;
+    use crate::math::frame::direction_from_degrees;
+    use crate::optics::fresnel;
     use std::f64::consts::PI;
 
     #[test]

@@ -16,10 +16,10 @@
 //! of its own against that, which this model does without).
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{both_above, sample_reflection};
+use crate::math::warp;
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
+use crate::{both_above, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -166,9 +166,9 @@ impl<R: Real> Bxdf<R> for Eon<R> {
 #[cfg(test)]
 mod tests {
     use super::{loss, sigma_of};
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::Vec3;
+    use crate::math::frame::direction_from_degrees;
     use std::f64::consts::PI;
 
     /// The paper's G(mu), as printed.

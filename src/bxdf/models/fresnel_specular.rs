@@ -12,10 +12,10 @@
 //! the mirror alone.
 
 use super::*;
-use crate::bxdf::delta_only::{DeltaLobes, DeltaOnly};
-use crate::bxdf::optics::{Spectrum, fresnel};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Delta, Deltas};
+use crate::delta_only::{DeltaLobes, DeltaOnly};
+use crate::optics::{Spectrum, fresnel};
+use crate::param::ParamSet;
+use crate::{Delta, Deltas};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -84,8 +84,8 @@ impl<R: Real> DeltaLobes<R> for FresnelSpecular<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
+    use crate::Material;
+    use crate::math::Vec3;
 
     #[test]
     fn glass_at_normal_incidence_shares_four_to_ninety_six() {

@@ -19,10 +19,10 @@
 //! raising them by no more than 1 + B0.
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{both_above, reflected_direction, sample_reflection};
+use crate::math::warp;
+use crate::optics::Spectrum;
+use crate::param::{ParamSet, Scale};
+use crate::{both_above, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -307,9 +307,9 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
 #[cfg(test)]
 mod tests {
     use super::h_minus_1;
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::Vec3;
+    use crate::math::frame::direction_from_degrees;
     use std::f64::consts::PI;
 
     fn f(material: &str, theta_o: f64, theta_i: f64) -> f64 {

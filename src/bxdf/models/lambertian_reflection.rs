@@ -10,10 +10,10 @@
 //! Exact for every direction and reflectance.
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{both_above, sample_reflection};
+use crate::math::warp;
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
+use crate::{both_above, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {

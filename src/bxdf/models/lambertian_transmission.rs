@@ -10,10 +10,10 @@
 //! Exact for every direction and transmittance.
 
 use super::*;
-use crate::bxdf::are_across;
-use crate::bxdf::math::warp;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
+use crate::are_across;
+use crate::math::warp;
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {

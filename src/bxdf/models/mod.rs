@@ -5,7 +5,7 @@ mod blinn_phong;
 mod burley_diffuse;
 mod charlie_sheen;
 mod cook_torrance;
-mod eon;
+pub(crate) mod eon;
 mod fresnel_specular;
 mod hapke;
 mod lambertian_reflection;
@@ -23,8 +23,6 @@ mod table;
 mod thin_dielectric;
 mod velvet;
 mod ward;
-
-pub(crate) use eon::loss as eon_loss;
 
 use super::math::{Real, Vec3};
 use super::param::{ParamSpec, Value};

@@ -14,10 +14,10 @@
 //! directions graze, the value grows without bound, as published; it saturates at the largest number.
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{both_above, sample_reflection};
+use crate::math::warp;
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
+use crate::{both_above, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -111,8 +111,8 @@ impl<R: Real> Bxdf<R> for OrenNayar<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::frame::direction_from_degrees;
 
     fn f(material: &str, theta_o: f64, theta_i: f64) -> f64 {
         let material: Material = material.parse().unwrap();

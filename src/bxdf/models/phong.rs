@@ -14,12 +14,12 @@
 //! The authors require diffuse + specular <= 1; larger sums create energy (declared below).
 
 use super::*;
-use crate::bxdf::glossy::{
+use crate::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exceeds_one, exponent, shares,
 };
-use crate::bxdf::microfacet::Pair;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
+use crate::microfacet::Pair;
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -131,9 +131,9 @@ fn tilted<R: Real>(w: Vec3<R>, axis: Vec3<R>) -> Vec3<R> {
 #[cfg(test)]
 mod tests {
     use super::tilted;
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::Vec3;
+    use crate::math::frame::direction_from_degrees;
     use std::f64::consts::PI;
 
     #[test]

@@ -19,14 +19,14 @@
 //! outside beyond the critical angle, and nothing reaches the ground.
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
-use crate::bxdf::microfacet::{Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::optics::fresnel::RelativeIndex;
-use crate::bxdf::optics::interface::{self, INTERFACE, Interface, with_interface};
-use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{Delta, Deltas, Microfacet, reflected_direction, sample_reflection};
+use crate::math::warp;
+use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
+use crate::microfacet::{Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
+use crate::optics::Spectrum;
+use crate::optics::fresnel::RelativeIndex;
+use crate::optics::interface::{self, INTERFACE, Interface, with_interface};
+use crate::param::{ParamSet, Scale};
+use crate::{Delta, Deltas, Microfacet, reflected_direction, sample_reflection};
 
 /// The smallest width of a rough coat.
 const SMALLEST_ALPHA: f64 = 1e-4;
@@ -318,8 +318,8 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for Plastic<R, N, I> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
+    use crate::Material;
+    use crate::math::Vec3;
 
     const UP: Vec3<f64> = Vec3 {
         x: 0.0,

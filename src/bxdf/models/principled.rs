@@ -14,15 +14,15 @@
 //! grazing incidence a rough white surface gives back 1.6 times the light (declared below).
 
 use super::*;
-use crate::bxdf::glossy::reflected;
-use crate::bxdf::math::warp;
-use crate::bxdf::microfacet::ggx::Ggx;
-use crate::bxdf::microfacet::gtr1::Gtr1;
-use crate::bxdf::microfacet::{Masking, Normals, Pair, evaluated_by_pair};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::optics::fresnel::{schlick_rest, schlick_weight};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{reflected_direction, sample_reflection};
+use crate::glossy::reflected;
+use crate::math::warp;
+use crate::microfacet::ggx::Ggx;
+use crate::microfacet::gtr1::Gtr1;
+use crate::microfacet::{Masking, Normals, Pair, evaluated_by_pair};
+use crate::optics::Spectrum;
+use crate::optics::fresnel::{schlick_rest, schlick_weight};
+use crate::param::ParamSet;
+use crate::{reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -356,8 +356,8 @@ impl<R: Real> Bxdf<R> for Principled<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
+    use crate::Material;
+    use crate::math::Vec3;
 
     const UP: Vec3<f64> = Vec3 {
         x: 0.0,

@@ -13,11 +13,11 @@
 //! As `rough_conductor`: light lost to repeated facets, saturation where both directions graze.
 
 use super::*;
-use crate::bxdf::microfacet::ggx::Ggx;
-use crate::bxdf::microfacet::{Masking, Normals, ONE_WIDTH, Pair, alpha, evaluated_by_pair};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::sample_reflection;
+use crate::microfacet::ggx::Ggx;
+use crate::microfacet::{Masking, Normals, ONE_WIDTH, Pair, alpha, evaluated_by_pair};
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
+use crate::sample_reflection;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -95,8 +95,8 @@ impl<R: Real> Bxdf<R> for RetroReflector<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::frame::direction_from_degrees;
 
     #[test]
     fn the_light_gets_most_of_it_back() {

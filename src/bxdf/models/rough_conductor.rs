@@ -24,18 +24,16 @@
 use std::marker::PhantomData;
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
-use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
-use crate::bxdf::microfacet::{
-    ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair,
-};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::optics::conductor::Conductor;
-use crate::bxdf::optics::facet_fresnel::{AnyFresnel, FacetFresnel, Lazanyi, One, Schlick};
-use crate::bxdf::optics::metal::{GreyMetal, Metal};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Microfacet, reflected_direction, sample_reflection};
+use crate::math::warp;
+use crate::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
+use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
+use crate::microfacet::{ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
+use crate::optics::Spectrum;
+use crate::optics::conductor::Conductor;
+use crate::optics::facet_fresnel::{AnyFresnel, FacetFresnel, Lazanyi, One, Schlick};
+use crate::optics::metal::{GreyMetal, Metal};
+use crate::param::ParamSet;
+use crate::{Microfacet, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -358,8 +356,8 @@ where
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
+    use crate::Material;
+    use crate::math::Vec3;
 
     #[test]
     fn the_peak_at_normal_incidence_is_f_over_four_pi_alpha_squared() {

@@ -19,15 +19,15 @@
 //! direction where that is under 1e-7.
 
 use super::*;
-use crate::bxdf::delta_only::{DeltaOnly, Unscattered};
-use crate::bxdf::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
-use crate::bxdf::microfacet::refraction::{Facet, upright};
-use crate::bxdf::microfacet::{ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::optics::fresnel::RelativeIndex;
-use crate::bxdf::optics::interface::{self, INTERFACE, Interface, with_interface};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Microfacet, are_across};
+use crate::delta_only::{DeltaOnly, Unscattered};
+use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
+use crate::microfacet::refraction::{Facet, upright};
+use crate::microfacet::{ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH};
+use crate::optics::Spectrum;
+use crate::optics::fresnel::RelativeIndex;
+use crate::optics::interface::{self, INTERFACE, Interface, with_interface};
+use crate::param::ParamSet;
+use crate::{Microfacet, are_across};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -272,8 +272,8 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for RoughDielectric<R, N, 
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::{Bxdf, Material};
+    use crate::math::Vec3;
+    use crate::{Bxdf, Material};
 
     fn glass(parameters: &str) -> Box<dyn Bxdf<f64>> {
         format!("rough_dielectric:{parameters}")

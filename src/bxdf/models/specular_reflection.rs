@@ -11,10 +11,10 @@
 //! transmitted light is dropped (it counts as absorbed); `fresnel_specular` keeps it.
 
 use super::*;
-use crate::bxdf::delta_only::{DeltaLobes, DeltaOnly};
-use crate::bxdf::optics::{Spectrum, conductor, fresnel};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Delta, Deltas};
+use crate::delta_only::{DeltaLobes, DeltaOnly};
+use crate::optics::{Spectrum, conductor, fresnel};
+use crate::param::ParamSet;
+use crate::{Delta, Deltas};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {

@@ -11,10 +11,10 @@
 //! transmits nothing, this one still does.
 
 use super::*;
-use crate::bxdf::delta_only::{DeltaLobes, DeltaOnly};
-use crate::bxdf::optics::{Spectrum, fresnel};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Delta, Deltas};
+use crate::delta_only::{DeltaLobes, DeltaOnly};
+use crate::optics::{Spectrum, fresnel};
+use crate::param::ParamSet;
+use crate::{Delta, Deltas};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -84,8 +84,8 @@ impl<R: Real> DeltaLobes<R> for SpecularTransmission<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::frame::direction_from_degrees;
 
     #[test]
     fn beyond_the_critical_angle_nothing_crosses() {

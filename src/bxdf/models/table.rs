@@ -14,13 +14,13 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::microfacet::ggx::Ggx;
-use crate::bxdf::microfacet::{Normals, Pair, evaluated_by_pair};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::sample_reflection;
-use crate::bxdf::table::Table;
+use crate::math::warp;
+use crate::microfacet::ggx::Ggx;
+use crate::microfacet::{Normals, Pair, evaluated_by_pair};
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
+use crate::sample_reflection;
+use crate::table::Table;
 
 /// What stands in the table before one is read, in 1/sr: four fifths of the light are reflected at most.
 const EVEN: f32 = 0.4 * std::f32::consts::FRAC_1_PI;

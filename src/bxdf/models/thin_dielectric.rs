@@ -15,10 +15,10 @@
 //! a film of air in glass, reflects totally beyond its critical angle; light that tunnels through is left out.
 
 use super::*;
-use crate::bxdf::delta_only::{DeltaLobes, DeltaOnly};
-use crate::bxdf::optics::{Spectrum, fresnel};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Delta, Deltas};
+use crate::delta_only::{DeltaLobes, DeltaOnly};
+use crate::optics::{Spectrum, fresnel};
+use crate::param::ParamSet;
+use crate::{Delta, Deltas};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -92,10 +92,10 @@ impl<R: Real> DeltaLobes<R> for ThinDielectric<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::math::frame::direction_from_degrees;
-    use crate::bxdf::optics::fresnel;
-    use crate::bxdf::{Delta, Material};
+    use crate::math::Vec3;
+    use crate::math::frame::direction_from_degrees;
+    use crate::optics::fresnel;
+    use crate::{Delta, Material};
 
     fn deltas(material: &str, w: Vec3<f64>) -> [Option<Delta<f64>>; 2] {
         material

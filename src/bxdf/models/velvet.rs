@@ -15,11 +15,11 @@
 //! arithmetic mean, and the distribution at most 5 / (pi (1 + 4 alpha^2)): no weight exceeds 2.5 times the reflectance.
 
 use super::*;
-use crate::bxdf::math::warp;
-use crate::bxdf::microfacet::half_vector;
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::{ParamSet, Scale};
-use crate::bxdf::{both_above, reflected_direction, sample_reflection};
+use crate::math::warp;
+use crate::microfacet::half_vector;
+use crate::optics::Spectrum;
+use crate::param::{ParamSet, Scale};
+use crate::{both_above, reflected_direction, sample_reflection};
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -147,9 +147,9 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::Vec3;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::Vec3;
+    use crate::math::frame::direction_from_degrees;
     use std::f64::consts::PI;
 
     #[test]

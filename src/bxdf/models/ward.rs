@@ -21,13 +21,13 @@
 //! widths a. Sums of diffuse and specular above 1 create energy in all three (declared below).
 
 use super::*;
-use crate::bxdf::glossy::gaussian_slopes::GaussianSlopes;
-use crate::bxdf::glossy::{
+use crate::glossy::gaussian_slopes::GaussianSlopes;
+use crate::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, exceeds_one, reflected, shares,
 };
-use crate::bxdf::microfacet::{ONE_WIDTH, Pair, alpha};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::param::ParamSet;
+use crate::microfacet::{ONE_WIDTH, Pair, alpha};
+use crate::optics::Spectrum;
+use crate::param::ParamSet;
 
 /// The list entry.
 pub(super) static SPEC: ModelSpec = ModelSpec {
@@ -192,8 +192,8 @@ impl<R: Real> OverDiffuse<R> for Ward<R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use crate::Material;
+    use crate::math::frame::direction_from_degrees;
     use std::f64::consts::PI;
 
     fn f(material: &str, wo: (f64, f64), wi: (f64, f64)) -> f64 {

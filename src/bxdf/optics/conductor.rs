@@ -4,7 +4,7 @@
 //! Born & Wolf, "Principles of Optics", 7th ed., section 14.2; the rearrangements are our own and stated beside the
 //! formulas.
 
-use crate::bxdf::math::Real;
+use crate::math::Real;
 
 /// A conductor of three channels: what its Fresnel reflectance needs of its index, computed once.
 #[derive(Clone, Copy, Debug)]
@@ -200,7 +200,7 @@ impl<R: Real> Channel<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::optics::fresnel::dielectric;
+    use crate::optics::fresnel::dielectric;
 
     /// The reflectance of one channel, beside two that are far from it.
     fn conductor<R: Real>(c: R, n: R, k: R) -> R {

@@ -6,7 +6,7 @@
 
 use xprec::Df64;
 
-use crate::bxdf::math::Real;
+use crate::math::Real;
 
 /// n - 1 below which the closed form, whose terms grow as 1 / (n - 1) and leave n - 1, gives way to its expansion. There
 /// the first term left out is 1e-16 of the sum, and the closed form in double-double has lost 12 of its 32 digits.
@@ -56,7 +56,7 @@ fn diffuse_reflectance(n: Df64) -> Df64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::optics::fresnel;
+    use crate::optics::fresnel;
 
     /// n, and the reflectance from outside in 60-digit arithmetic.
     const TABLE: [(f64, f64); 5] = [

@@ -4,8 +4,8 @@ use super::Spectrum;
 use super::conductor::Conductor;
 use super::fresnel;
 use super::metal::{GreyMetal, Metal};
-use crate::bxdf::math::Real;
-use crate::bxdf::math::quadrature::gauss_legendre;
+use crate::math::Real;
+use crate::math::quadrature::gauss_legendre;
 
 /// The reflectance of a mirror facet.
 pub trait FacetFresnel<R: Real>: Copy + Send + Sync + 'static {

@@ -4,7 +4,7 @@
 //! Born & Wolf, "Principles of Optics", 7th ed., section 1.5.2; the rearrangements that avoid the cancellations near normal
 //! incidence and near equal indices are our own and stated beside each formula.
 
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// The index of the far side over that of the near side, above 0, with its difference from 1: one that is itself a quotient
 /// has lost the digits of that where it is small, and next to equal indices the difference is what counts.

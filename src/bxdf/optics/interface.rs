@@ -3,9 +3,9 @@
 use super::diffuse_fresnel;
 use super::facet_fresnel::cosine_weighted_nodes;
 use super::fresnel::{self, Dielectric, RelativeIndex};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::param::{ParamSet, ParamSpec, Value};
-use crate::bxdf::spec::StandIn;
+use crate::math::{Real, Vec3};
+use crate::param::{ParamSet, ParamSpec, Value};
+use crate::spec::StandIn;
 
 /// The parameter that chooses an [`AnyInterface`].
 pub const INTERFACE: ParamSpec = ParamSpec::choice(
@@ -195,7 +195,7 @@ impl<R: Real> AnyInterface<R> {
 /// whose loops have no wide form.
 macro_rules! with_interface {
     ($real:ty, $params:expr, $interface:ident => $made:expr) => {{
-        use $crate::bxdf::optics::interface::AnyInterface;
+        use $crate::optics::interface::AnyInterface;
         let any = AnyInterface::<$real>::from_params($params);
         if <$real>::VECTORISES {
             match any {

@@ -6,7 +6,7 @@
 //! function of sin^2, singular only where that is (n -+ ik)^2, which is far from 0..1 for a metal: it is a polynomial,
 //! fitted when the metal is made.
 
-use crate::bxdf::math::Real;
+use crate::math::Real;
 
 /// Terms of the fit.
 const TERMS: usize = 7;
@@ -185,8 +185,8 @@ fn interpolated(function: impl Fn(f64) -> f64) -> [f64; TERMS] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::math::Fast;
-    use crate::bxdf::optics::conductor::Conductor;
+    use crate::math::Fast;
+    use crate::optics::conductor::Conductor;
 
     /// n and k at red, green and blue: silver, gold, copper, iron, aluminium, and what is just a metal here.
     const METALS: [([f64; 3], [f64; 3]); 6] = [

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul};
 
-use crate::bxdf::math::Real;
+use crate::math::Real;
 
 /// Three channels: linear R, G, B, or any triple of wavelengths.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{ParamSpec, Value};
-use crate::bxdf::table::Table;
 use crate::error::{Error, Result};
+use crate::table::Table;
 
 /// The name under which a table stands in texts.
 pub const DATA: &str = "data";

@@ -4,7 +4,7 @@
 //! vector's by the square root of that, which has its nodes closer about the normal. An azimuth is told by quarters
 //! 0..4: the place on the square |x| + |y| = 1, which the ray meets.
 
-use crate::bxdf::math::{Real, Vec3};
+use crate::math::{Real, Vec3};
 
 /// The cosine to which directions at or below the horizon are lifted.
 const LOWEST: f64 = 1e-3;

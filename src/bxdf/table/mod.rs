@@ -17,11 +17,11 @@ mod coordinates;
 mod shape;
 mod text;
 
-use crate::bxdf::Bxdf;
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::Spectrum;
+use crate::Bxdf;
+use crate::batch::{Columns, Job, Path};
 use crate::error::Result;
+use crate::math::{Real, Vec3};
+use crate::optics::Spectrum;
 use coordinates::{Cell, Place};
 pub use shape::Shape;
 

@@ -1,8 +1,8 @@
 //! How many nodes a table has along each coordinate.
 
 use super::coordinates::{Cell, Place};
-use crate::bxdf::math::Real;
 use crate::error::{Error, Result};
+use crate::math::Real;
 
 /// Bytes of a node: three channels of `f32`.
 const NODE_BYTES: u64 = 12;

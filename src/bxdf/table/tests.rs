@@ -1,6 +1,6 @@
 use super::*;
-use crate::bxdf::Material;
-use crate::bxdf::math::frame::direction_from_degrees;
+use crate::Material;
+use crate::math::frame::direction_from_degrees;
 
 const LIMIT: u64 = 1 << 26;
 
@@ -120,18 +120,18 @@ fn text_brings_a_table_back() {
 
 #[test]
 fn a_material_with_a_table_is_printed_and_read() {
-    let mut component: crate::bxdf::Component = "table".parse().unwrap();
+    let mut component: crate::Component = "table".parse().unwrap();
     component
         .set_table(std::sync::Arc::new(baked("phong", 3)))
         .unwrap();
     let mut material = Material::from(component);
     material.name = "Baked".to_owned();
-    let file = crate::bxdf::material::file::print(&material);
-    let read = crate::bxdf::material::file::parse(&file, "baked.toml").unwrap();
+    let file = crate::material::file::print(&material);
+    let read = crate::material::file::parse(&file, "baked.toml").unwrap();
     assert_eq!(read, material);
     assert_ne!(
         read.components(),
-        Material::from("table".parse::<crate::bxdf::Component>().unwrap()).components()
+        Material::from("table".parse::<crate::Component>().unwrap()).components()
     );
     let line = "phong:data=2x2x2;AAAA".parse::<Material>().unwrap_err();
     assert!(line.to_string().contains("unknown parameter 'data'"));

@@ -15,9 +15,9 @@ use lines::DataLines;
 use super::args::is_standard_stream;
 use super::output::csv_error;
 use super::say;
-use crate::bxdf::math::Vec3;
-use crate::encoding;
-use crate::error::{Error, Result, shown};
+use bxdf::error::{Error, Result, shown};
+use bxdf::math::Vec3;
+use bxdf_study::encoding;
 
 /// The columns read, by name.
 pub const COLUMNS: [&str; 6] = ["wo_x", "wo_y", "wo_z", "wi_x", "wi_y", "wi_z"];

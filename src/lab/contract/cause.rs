@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::energy::{self, QUICK_EVALUATIONS, QUICK_TOLERANCE};
 use super::{LawId, LawReport, Status, WITNESS_MARGIN, pointwise};
 use crate::analysis::reflectance::directional_hemispherical_within;
-use crate::bxdf::{Component, Declaration, Law, Material};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::{Component, Declaration, Law, Material};
 
 /// Weights of lobes that are added are whole multiples of one over this.
 const STEPS_OF_WEIGHT: f64 = 100.0;

@@ -9,7 +9,7 @@ use super::chart::Chart;
 use super::families::Family;
 use super::order::median;
 use crate::analysis::statistics::Random;
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
 
 /// A cell is cut while each half keeps at least this many pilot samples.
 const PILOTS_PER_CELL: usize = 32;

@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::DVec3;
 
 use super::order::{median, narrow_scale};
-use crate::bxdf::math::frame;
-use crate::bxdf::{Category, Side};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::math::frame;
+use bxdf::{Category, Side};
 
 /// Coordinates in which the directions of one hemisphere are cut and integrated.
 pub(super) struct Chart {

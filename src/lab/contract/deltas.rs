@@ -5,11 +5,11 @@ use glam::DVec3;
 use super::sweep::directions;
 use super::{LawId, Tallies};
 use crate::analysis::statistics::Random;
-use crate::bxdf::math::Real;
-use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::{Delta, Side};
-use crate::lab::rounding::relative_difference;
-use crate::lab::subject::Subject;
+use crate::rounding::relative_difference;
+use crate::subject::Subject;
+use bxdf::math::Real;
+use bxdf::math::frame::direction_from_degrees;
+use bxdf::{Delta, Side};
 
 /// Disagreement of numbers that differ by a handful of operations in f64.
 const SAME: f64 = 16.0 * f64::UNIT_ROUNDOFF;

@@ -6,9 +6,9 @@ use super::integrals::ESTIMATE;
 use super::sweep::directions;
 use super::{LawId, Tallies};
 use crate::analysis::reflectance::{directional_hemispherical, directional_hemispherical_within};
-use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::{Component, Declaration, ModelSpec};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::math::frame::direction_from_degrees;
+use bxdf::{Component, Declaration, ModelSpec};
 
 /// Absolute error wanted of the reflectances, and the excess let pass: a hundredth of the smallest one worth declaring.
 const TOLERANCE: f64 = 1e-5;

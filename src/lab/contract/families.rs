@@ -9,8 +9,8 @@
 use glam::DVec3;
 
 use crate::analysis::statistics::Random;
-use crate::bxdf::{Category, Lobe, Side};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::{Category, Lobe, Side};
 
 /// Lobes that one set of cells follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,11 +4,11 @@ use glam::DVec3;
 
 use super::{LawId, Plan, Tallies, Witness};
 use crate::analysis::statistics::Random;
-use crate::bxdf::Bxdf;
-use crate::bxdf::math::frame::cos_sin_deg;
-use crate::bxdf::math::{Real, Vec3};
-use crate::lab::stability::{is_good, is_good_number, is_unit};
-use crate::lab::subject::Subject;
+use crate::stability::{is_good, is_good_number, is_unit};
+use crate::subject::Subject;
+use bxdf::Bxdf;
+use bxdf::math::frame::cos_sin_deg;
+use bxdf::math::{Real, Vec3};
 
 /// Absolute cosines down to the horizon: 1e-23 squares to a subnormal f32, 1e-38 is one itself; 1e-160 and 1e-308 are
 /// the same in f64 (and 0 in f32).

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::cells::{Hemisphere, Partition, Rectangle};
-use crate::bxdf::math::quadrature::gauss_legendre;
+use bxdf::math::quadrature::gauss_legendre;
 
 /// Gauss-Legendre nodes along each axis of a cell.
 const NODES: usize = 6;
@@ -193,9 +193,9 @@ fn middle_and_half([a, b]: [f64; 2]) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::analysis::statistics::Random;
-    use crate::bxdf::Material;
-    use crate::bxdf::math::frame::direction_from_degrees;
-    use crate::lab::subject::Subject;
+    use crate::subject::Subject;
+    use bxdf::Material;
+    use bxdf::math::frame::direction_from_degrees;
 
     /// The integral of a material's density at 85 degrees.
     fn density_integral(material: &str) -> CellIntegral {

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::bxdf::math::frame;
-use crate::bxdf::{Declaration, Law, ModelSpec};
-use crate::lab::subject::Witness;
+use crate::subject::Witness;
+use bxdf::math::frame;
+use bxdf::{Declaration, Law, ModelSpec};
 
 /// A law of the contract.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

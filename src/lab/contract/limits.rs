@@ -7,10 +7,10 @@ use super::sweep::directions;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::reflectance::directional_hemispherical;
 use crate::analysis::statistics::Random;
-use crate::bxdf::math::{Vec3, frame};
-use crate::bxdf::{Material, ModelSpec, Side};
-use crate::lab::rounding::relative_difference;
-use crate::lab::subject::Subject;
+use crate::rounding::relative_difference;
+use crate::subject::Subject;
+use bxdf::math::{Vec3, frame};
+use bxdf::{Material, ModelSpec, Side};
 
 /// How the two models of a [`Limit`] are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -307,7 +307,7 @@ fn same_deltas(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
     for w in directions().into_iter().filter(is_shared) {
         let (found, expected) = (a.double.deltas(w.into()), b.double.deltas(w.into()));
         let witness = || format!("{} against {}", a.witness(&[("w", w)]), b.name);
-        let count = |deltas: &crate::bxdf::Deltas<f64>| deltas.iter().flatten().count();
+        let count = |deltas: &bxdf::Deltas<f64>| deltas.iter().flatten().count();
         if limit.relation == Relation::Same {
             tallies.require(LawId::Limits, count(&found) == count(&expected), witness);
         }

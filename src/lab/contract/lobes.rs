@@ -6,8 +6,8 @@ use super::integrals::ESTIMATE;
 use super::pointwise::pairs;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::reflectance::directional_hemispherical_within;
-use crate::lab::rounding::relative_difference;
-use crate::lab::subject::Subject;
+use crate::rounding::relative_difference;
+use crate::subject::Subject;
 
 /// Relative difference of f and the sum of its lobes that rounding explains: a few additions of positive numbers.
 const SAME_SUM: f64 = 1e-14;

@@ -40,8 +40,8 @@ pub use tally::Tallies;
 
 pub use super::subject::{Subject, Witness};
 
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::{Declaration, Law, Material, ModelSpec};
+use bxdf::param::ParamSet;
+use bxdf::{Declaration, Law, Material, ModelSpec};
 
 /// How much work a check may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

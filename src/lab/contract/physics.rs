@@ -5,8 +5,8 @@ use super::{
     pointwise,
 };
 use crate::analysis::isotropy;
-use crate::bxdf::Material;
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::Material;
 
 /// The laws of [`check_physical`], in the order of its reports.
 pub const PHYSICAL: [LawId; 4] = [
@@ -107,8 +107,8 @@ mod tests {
     use std::cell::Cell;
 
     use super::*;
-    use crate::bxdf::material::library;
-    use crate::bxdf::models::MODELS;
+    use bxdf::material::library;
+    use bxdf::models::MODELS;
 
     fn check(material: &Material) -> Vec<LawReport> {
         check_physical(material, &|| true).unwrap()

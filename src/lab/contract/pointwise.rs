@@ -5,11 +5,11 @@ use glam::DVec3;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies};
 use crate::analysis::statistics::Random;
-use crate::bxdf::math::Real;
-use crate::bxdf::math::frame::{direction_from_degrees, turned_about_normal};
-use crate::bxdf::{Declaration, ModelSpec, Side};
-use crate::lab::rounding::{Quantity, is_subnormal, relative_difference, rounding_bound};
-use crate::lab::subject::Subject;
+use crate::rounding::{Quantity, is_subnormal, relative_difference, rounding_bound};
+use crate::subject::Subject;
+use bxdf::math::Real;
+use bxdf::math::frame::{direction_from_degrees, turned_about_normal};
+use bxdf::{Declaration, ModelSpec, Side};
 
 /// Polar angles of grazing pairs, in degrees.
 const GRAZING_DEG: [f64; 5] = [85.0, 89.0, 89.9, 89.999, 90.0 - 1e-7];

@@ -5,12 +5,10 @@ use xprec::Df64;
 
 use super::pointwise::pairs;
 use super::{LawId, Plan, Tallies};
-use crate::bxdf::Bxdf;
-use crate::bxdf::math::{Real, Vec3};
-use crate::lab::rounding::{
-    Quantity, is_subnormal, quantities, relative_difference, rounding_bound,
-};
-use crate::lab::subject::Subject;
+use crate::rounding::{Quantity, is_subnormal, quantities, relative_difference, rounding_bound};
+use crate::subject::Subject;
+use bxdf::Bxdf;
+use bxdf::math::{Real, Vec3};
 
 /// Both precisions keep the stability law, at grazing directions too.
 pub(super) fn precision(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {

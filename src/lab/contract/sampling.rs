@@ -8,11 +8,11 @@ use super::statistics::sidak;
 use super::sweep::directions;
 use super::{LawId, Plan, Tallies, energy, lobes};
 use crate::analysis::statistics::{Random, chi_square};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::{Deltas, Sample};
-use crate::lab::rounding::{UNIT_LENGTH_ROUNDOFFS, relative_difference};
-use crate::lab::subject::Subject;
+use crate::rounding::{UNIT_LENGTH_ROUNDOFFS, relative_difference};
+use crate::subject::Subject;
+use bxdf::math::{Real, Vec3};
+use bxdf::optics::Spectrum;
+use bxdf::{Deltas, Sample};
 
 /// Samples that cut the sphere into cells: 64 cells of 32.
 const PILOTS: u32 = 2048;

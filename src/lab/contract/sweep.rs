@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use crate::bxdf::ModelSpec;
-use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::param::{Kind, ParamSet, ParamSpec, Value};
+use bxdf::ModelSpec;
+use bxdf::math::frame::direction_from_degrees;
+use bxdf::param::{Kind, ParamSet, ParamSpec, Value};
 
 /// Widths along s and t: 0, for models that take it for smooth, both ends of the range, the end of the slider, two blades.
 const ALPHA_PAIRS: [[f64; 2]; 6] = [
@@ -60,7 +60,7 @@ pub fn parameter_sets(model: &ModelSpec) -> Vec<ParamSet> {
 }
 
 /// The defaults with all colours 1, and that with every word of every choice.
-pub(in crate::lab) fn bases(model: &ModelSpec) -> Vec<ParamSet> {
+pub(crate) fn bases(model: &ModelSpec) -> Vec<ParamSet> {
     let Some(white) = with_colours(&model.defaults(), 1.0) else {
         return Vec::new();
     };
@@ -80,14 +80,14 @@ pub(in crate::lab) fn bases(model: &ModelSpec) -> Vec<ParamSet> {
 }
 
 /// Different sets of one model's parameters, all of them allowed.
-pub(in crate::lab) struct Sets<'a> {
+pub(crate) struct Sets<'a> {
     model: &'a ModelSpec,
     found: Vec<ParamSet>,
 }
 
 impl<'a> Sets<'a> {
     /// None yet.
-    pub(in crate::lab) fn of(model: &'a ModelSpec) -> Self {
+    pub(crate) fn of(model: &'a ModelSpec) -> Self {
         Self {
             model,
             found: Vec::new(),
@@ -96,7 +96,7 @@ impl<'a> Sets<'a> {
 
     /// Adds `set`, unless there is none, the model refuses it, or one that differs only without effect is there already.
     /// Returns what was added.
-    pub(in crate::lab) fn add(&mut self, set: Option<ParamSet>) -> Option<&ParamSet> {
+    pub(crate) fn add(&mut self, set: Option<ParamSet>) -> Option<&ParamSet> {
         let mut set = set?;
         let without_effect: Vec<&ParamSpec> = set
             .iter()
@@ -115,7 +115,7 @@ impl<'a> Sets<'a> {
 }
 
 /// The ends of the ranges of a number or an index; none for colours (which are 0 and 1 in the bases) and for widths.
-pub(in crate::lab) fn ends(spec: &ParamSpec) -> Vec<Value> {
+pub(crate) fn ends(spec: &ParamSpec) -> Vec<Value> {
     if spec.is_colour() || spec.name.starts_with("alpha_") {
         return Vec::new();
     }
@@ -128,7 +128,7 @@ pub(in crate::lab) fn ends(spec: &ParamSpec) -> Vec<Value> {
 }
 
 /// `set` with these widths along s and t; `None` where it has none.
-pub(in crate::lab) fn with_widths(set: &ParamSet, alpha_x: f64, alpha_y: f64) -> Option<ParamSet> {
+pub(crate) fn with_widths(set: &ParamSet, alpha_x: f64, alpha_y: f64) -> Option<ParamSet> {
     set.with(&[
         ("alpha_x", Value::Number(alpha_x)),
         ("alpha_y", Value::Number(alpha_y)),
@@ -136,7 +136,7 @@ pub(in crate::lab) fn with_widths(set: &ParamSet, alpha_x: f64, alpha_y: f64) ->
 }
 
 /// `set` with every colour at `level`.
-pub(in crate::lab) fn with_colours(set: &ParamSet, level: f64) -> Option<ParamSet> {
+pub(crate) fn with_colours(set: &ParamSet, level: f64) -> Option<ParamSet> {
     let mut changed = set.clone();
     for (spec, _) in set.iter().filter(|(spec, _)| spec.is_colour()) {
         changed.set(spec.name, Value::Rgb([level; 3])).ok()?;
@@ -147,7 +147,7 @@ pub(in crate::lab) fn with_colours(set: &ParamSet, level: f64) -> Option<ParamSe
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::models;
+    use bxdf::models;
 
     #[test]
     fn the_sweep_reaches_every_word_and_both_ends() {

@@ -9,8 +9,8 @@
 
 use super::colour::{FINEST, rgb_weights};
 use super::constants::Constants;
-use crate::bxdf::math::frame::cos_sin_deg;
-use crate::bxdf::optics::conductor::Conductor;
+use bxdf::math::frame::cos_sin_deg;
+use bxdf::optics::conductor::Conductor;
 
 /// The polar angles at which a channel reflects what the spectrum does, in degrees: normal incidence, which makes the
 /// colour, and the dip that metals have before the horizon.
@@ -87,7 +87,7 @@ fn reflectance([n, k]: [f64; 2], theta_deg: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::spectral::find;
+    use crate::spectral::find;
 
     #[test]
     fn metals_have_the_colours_that_others_computed() {

@@ -6,11 +6,11 @@ use include_dir::{Dir, include_dir};
 
 use super::channels;
 use super::table::Table;
-use crate::bxdf::Component;
-use crate::bxdf::param::Value;
+use bxdf::Component;
+use bxdf::param::Value;
 
 /// The files. Their folder is the one list of them.
-static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/ior");
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/ior");
 
 static ALL: LazyLock<Vec<Constants>> = LazyLock::new(|| {
     let mut all: Vec<Constants> = FILES.files().filter_map(Constants::read).collect();
@@ -112,7 +112,7 @@ pub fn agrees(given: f64, exact: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::material::library;
+    use bxdf::material::library;
 
     #[test]
     fn every_table_is_read() {

@@ -1,6 +1,6 @@
 //! Tables over the wavelength, as the files of `assets` hold them.
 
-use crate::error::{Error, Result};
+use bxdf::error::{Error, Result};
 
 /// Rows by wavelength in nm, in rising order, of as many columns each.
 #[derive(Clone, Debug)]

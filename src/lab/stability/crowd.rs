@@ -6,11 +6,11 @@ use super::parameters::random_set;
 use super::samples::is_unit;
 use super::tally::{Finding, Tally};
 use crate::analysis::statistics::Random;
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::param::ParamSet;
-use crate::bxdf::spec::Precision;
-use crate::bxdf::{Bxdf, ModelSpec};
+use bxdf::batch::{Columns, Job, Path};
+use bxdf::math::{Real, Vec3};
+use bxdf::param::ParamSet;
+use bxdf::spec::Precision;
+use bxdf::{Bxdf, ModelSpec};
 use glam::DVec3;
 
 /// Points at one set of parameters: a batch.

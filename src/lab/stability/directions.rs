@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use super::Case;
 use crate::analysis::statistics::Random;
-use crate::bxdf::math::frame::{cos_sin_deg, direction_from_degrees};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::math::frame::{cos_sin_deg, direction_from_degrees};
 
 /// Distances from the horizon, in degrees.
 const FROM_HORIZON_DEG: [f64; 7] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];

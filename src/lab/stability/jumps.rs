@@ -10,11 +10,11 @@ use xprec::Df64;
 
 use super::Case;
 use super::tally::{Finding, Tally};
-use crate::bxdf::ModelSpec;
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::param::{Kind, ParamSet, ParamSpec, Value};
-use crate::lab::rounding::{quantities, stability_bound};
-use crate::lab::subject::Subject;
+use crate::rounding::{quantities, stability_bound};
+use crate::subject::Subject;
+use bxdf::ModelSpec;
+use bxdf::math::{Real, Vec3};
+use bxdf::param::{Kind, ParamSet, ParamSpec, Value};
 
 /// The relative step that is looked for: what the stability law allows in f64 where the condition number is 4.
 const TOLERANCE: f64 = 1e-14;

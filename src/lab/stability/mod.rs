@@ -28,12 +28,12 @@ mod tally;
 use rayon::prelude::*;
 
 pub use case::Case;
-pub(in crate::lab) use samples::{is_good, is_good_number, is_unit};
+pub(crate) use samples::{is_good, is_good_number, is_unit};
 pub use tally::{Extreme, Worst};
 
 use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
-use crate::bxdf::{Component, Law, Material, ModelSpec};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::{Component, Law, Material, ModelSpec};
 
 use directions::Pair;
 use samples::CHOICES;

@@ -2,10 +2,11 @@
 
 use super::Case;
 use crate::analysis::statistics::Random;
-use crate::bxdf::ModelSpec;
-use crate::bxdf::param::{Kind, ParamSet, ParamSpec, Scale, Value};
-use crate::lab::contract::sweep::{Sets, bases, ends, with_colours, with_widths};
-use crate::lab::subject::rounded_to_single;
+use crate::contract::sweep::{Sets, bases, ends, with_colours, with_widths};
+use crate::subject::rounded_to_single;
+use bxdf::ModelSpec;
+use bxdf::internals::beyond_range;
+use bxdf::param::{Kind, ParamSet, ParamSpec, Scale, Value};
 
 /// Distances of an index from 1.
 const FROM_ONE: [f64; 7] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
@@ -164,13 +165,15 @@ fn core_widths(model: &ModelSpec) -> Vec<ParamSet> {
         CORE_WIDTHS.map(|widths| {
             // Numbers of f32, so that every precision has the same.
             let [x, y] = widths.map(|width| f64::from(width as f32));
-            start.beyond_range("alpha_x", x)?.beyond_range("alpha_y", y)
+            beyond_range(&beyond_range(start, "alpha_x", x)?, "alpha_y", y)
         })
     };
     let mut sets: Vec<ParamSet> = starts.iter().flat_map(with_core_widths).flatten().collect();
     let others = model.parameters.iter().filter(|spec| is_width(spec));
     let others = others.filter(|spec| !spec.name.starts_with("alpha_"));
-    sets.extend(others.filter_map(|spec| defaults.beyond_range(spec.name, f64::from(CORE_WIDTH))));
+    sets.extend(
+        others.filter_map(|spec| beyond_range(&defaults, spec.name, f64::from(CORE_WIDTH))),
+    );
     sets
 }
 

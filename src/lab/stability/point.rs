@@ -6,13 +6,13 @@ use xprec::Df64;
 use super::Case;
 use super::directions::Pair;
 use super::tally::{Finding, Tally};
-use crate::bxdf::Bxdf;
-use crate::bxdf::math::{Real, Vec3};
-use crate::lab::rounding::{
+use crate::rounding::{
     Quantity, WHOLE, condition_numbers, is_subnormal, quantities, relative_difference,
     stability_bound,
 };
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::Bxdf;
+use bxdf::math::{Real, Vec3};
 
 /// A precision with the models of a subject in it.
 pub(super) struct Tested<'a, R: Real> {

@@ -7,26 +7,26 @@ use super::Case;
 use super::directions::views;
 use super::point::Tested;
 use super::tally::{Finding, Tally};
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::optics::Spectrum;
-use crate::bxdf::{Sample, Side};
-use crate::lab::rounding::{
+use crate::rounding::{
     Quantity, UNIT_LENGTH_ROUNDOFFS, quantities, relative_difference, stability_bound,
 };
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::math::{Real, Vec3};
+use bxdf::optics::Spectrum;
+use bxdf::{Sample, Side};
 
 /// Whether every channel is finite and not negative.
-pub(in crate::lab) fn is_good<R: Real>(spectrum: Spectrum<R>) -> bool {
+pub(crate) fn is_good<R: Real>(spectrum: Spectrum<R>) -> bool {
     spectrum.0.into_iter().all(is_good_number)
 }
 
 /// Whether `x` is finite and not negative.
-pub(in crate::lab) fn is_good_number<R: Real>(x: R) -> bool {
+pub(crate) fn is_good_number<R: Real>(x: R) -> bool {
     x.is_finite() && x >= R::zero()
 }
 
 /// Whether the direction of a sample is a unit vector.
-pub(in crate::lab) fn is_unit<R: Real>(wi: Vec3<R>) -> bool {
+pub(crate) fn is_unit<R: Real>(wi: Vec3<R>) -> bool {
     // The given directions are unit vectors to f64 at best; a sample cannot be better than they are.
     let unit_roundoff = R::UNIT_ROUNDOFF.max(f64::UNIT_ROUNDOFF);
     (wi.length_squared() - R::one()).as_f64().abs() <= UNIT_LENGTH_ROUNDOFFS * unit_roundoff

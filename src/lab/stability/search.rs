@@ -9,10 +9,10 @@ use super::point::{self, Tested};
 use super::samples;
 use super::tally::Tally;
 use crate::analysis::statistics::Random;
-use crate::bxdf::math::Real;
-use crate::bxdf::param::{Kind, ParamSet, Value};
-use crate::bxdf::{Component, ModelSpec};
-use crate::lab::subject::{Subject, seed_of};
+use crate::subject::{Subject, seed_of};
+use bxdf::math::Real;
+use bxdf::param::{Kind, ParamSet, Value};
+use bxdf::{Component, ModelSpec};
 
 /// Random pairs at one set of parameters.
 const PAIRS_OF_SET: u64 = 256;

@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use glam::DVec3;
 
 use super::{Case, Extreme, Worst};
-use crate::bxdf::math::Real;
-use crate::bxdf::{Component, ModelSpec};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::math::Real;
+use bxdf::{Component, ModelSpec};
 
 /// What the table says of a model in a precision.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn rows_are_read_as_they_are_written() {
-        let model = crate::bxdf::models::find("oren_nayar").unwrap();
+        let model = bxdf::models::find("oren_nayar").unwrap();
         let worst = Worst {
             params: "oren_nayar:sigma=90".to_owned(),
             wo: DVec3::new(0.6, 0.0, 0.8),

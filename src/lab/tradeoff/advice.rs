@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{FamilyReport, Point, Report};
-use crate::bxdf::Material;
+use bxdf::Material;
 
 /// Tolerances for which advice is given where none is asked for: relative errors, root mean square.
 pub const DEFAULT_TOLERANCES: [f64; 4] = [1e-1, 1e-2, 1e-3, 1e-4];

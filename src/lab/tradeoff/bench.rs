@@ -2,7 +2,7 @@
 
 use super::{Family, FamilyReport, Point, Report, Slopes, Stop, Study, front};
 use crate::analysis::IsWanted;
-use crate::lab::timing::{Stopwatch, Timing};
+use crate::timing::{Stopwatch, Timing};
 
 /// What families report to while they measure.
 pub struct Bench<'a> {

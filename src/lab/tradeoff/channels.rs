@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::precision::{Batch, by_pair, values_in};
 use super::{Bench, CostUnit, Family, Point, Stop, Study};
-use crate::bxdf::batch::{Columns, Path};
-use crate::bxdf::param::{Kind, Value};
-use crate::bxdf::{Bxdf, Component, Material, Precision};
-use crate::lab::spectral::{Constants, FINEST, RANGE_NM, rgb_weights};
+use crate::spectral::{Constants, FINEST, RANGE_NM, rgb_weights};
+use bxdf::batch::{Columns, Path};
+use bxdf::param::{Kind, Value};
+use bxdf::{Bxdf, Component, Material, Precision};
 
 /// How many wavelengths are tried.
 const COUNTS: [usize; 3] = [8, 16, 31];
@@ -197,9 +197,9 @@ fn with_indices(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::material::library;
-    use crate::lab::timing::NoClock;
-    use crate::lab::tradeoff::measure;
+    use crate::timing::NoClock;
+    use crate::tradeoff::measure;
+    use bxdf::material::library;
 
     fn reasons(text: &str) -> String {
         substances(&library::read(text).unwrap()).unwrap_err()

@@ -239,7 +239,7 @@ fn minus([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
     use crate::analysis::lobe::pair_values;
-    use crate::bxdf::Material;
+    use bxdf::Material;
 
     #[test]
     fn a_fault_of_a_known_size_is_measured() {

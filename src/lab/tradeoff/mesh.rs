@@ -9,8 +9,8 @@ use crate::analysis::lobe3d::{self, Mesh};
 use crate::analysis::polar::{self, Section};
 use crate::analysis::reflectance::MAX_EVALUATIONS;
 use crate::analysis::{Detail, HeldLobe, Hold, RadialScale};
-use crate::bxdf::math::frame;
-use crate::bxdf::optics::spectrum::luminance;
+use bxdf::math::frame;
+use bxdf::optics::spectrum::luminance;
 
 /// Halvings of the octahedron's edges.
 const LEVELS: std::ops::RangeInclusive<u32> = 2..=8;

@@ -21,8 +21,8 @@ use glam::DVec3;
 use serde::Serialize;
 
 use super::timing::Timing;
-use crate::bxdf::math::frame::direction_from_degrees;
-use crate::bxdf::{Bxdf, Material};
+use bxdf::math::frame::direction_from_degrees;
+use bxdf::{Bxdf, Material};
 
 pub use advice::{Advice, DEFAULT_TOLERANCES, WHOLE, advise};
 pub use bench::{Bench, measure};

@@ -5,9 +5,9 @@ use rayon::prelude::*;
 use xprec::Df64;
 
 use super::{Bench, CostUnit, Family, Point, Stop, Study};
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::Real;
-use crate::bxdf::{Bxdf, Precision};
+use bxdf::batch::{Columns, Job, Path};
+use bxdf::math::Real;
+use bxdf::{Bxdf, Precision};
 
 /// The family.
 pub(super) struct Precisions;

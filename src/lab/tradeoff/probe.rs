@@ -6,9 +6,9 @@ use glam::DVec3;
 use sobol_burley::sample;
 
 use crate::analysis::sphere::pair_at;
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::warp;
-use crate::bxdf::{Bxdf, Material, Side};
+use bxdf::batch::{Columns, Job, Path};
+use bxdf::math::warp;
+use bxdf::{Bxdf, Material, Side};
 
 /// Held directions over the hemisphere, beside the normal.
 const HELD: usize = 64;

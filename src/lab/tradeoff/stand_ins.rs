@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::precision::{Batch, values_in};
 use super::{Bench, CostUnit, Family, Point, Stop, Study};
 use crate::analysis::lobe::pair_values;
-use crate::bxdf::Material;
-use crate::bxdf::batch::Path;
+use bxdf::Material;
+use bxdf::batch::Path;
 
 /// At most this many stand-ins and combinations of them are measured.
 const MOST: usize = 32;
@@ -173,7 +173,7 @@ fn candidates(material: &Material) -> Vec<Candidate> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::material::library;
+    use bxdf::material::library;
 
     #[test]
     fn combinations_are_made_once_and_lobes_are_dropped() {

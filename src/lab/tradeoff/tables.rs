@@ -7,10 +7,10 @@ use glam::DVec3;
 use super::precision::{Batch, values_in};
 use super::{Bench, CostUnit, Family, Point, Stop, Study};
 use crate::analysis::lobe::pair_values;
-use crate::bxdf::batch::Path;
-use crate::bxdf::table::{Shape, Table};
-use crate::bxdf::{Component, Material, Side};
-use crate::error::Result;
+use bxdf::batch::Path;
+use bxdf::error::Result;
+use bxdf::table::{Shape, Table};
+use bxdf::{Component, Material, Side};
 
 /// Nodes along each coordinate.
 const COUNTS: [usize; 8] = [4, 8, 12, 16, 24, 32, 48, 64];
@@ -122,8 +122,8 @@ fn baked(study: &Study<'_>, shape: Shape) -> Result<Material> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::timing::NoClock;
-    use crate::lab::tradeoff::{FamilyReport, measure};
+    use crate::timing::NoClock;
+    use crate::tradeoff::{FamilyReport, measure};
 
     fn report(text: &str) -> FamilyReport {
         let material: Material = text.parse().unwrap();

@@ -1,5 +1,5 @@
 use super::*;
-use crate::lab::timing::NoClock;
+use crate::timing::NoClock;
 
 fn study_of(text: &str) -> (Material, Option<DVec3>) {
     (text.parse().unwrap(), None)
@@ -234,8 +234,7 @@ fn error_on_a_grid(exact: &Material, choice: &Material) -> f64 {
     for wo in &directions {
         for wi in &directions {
             let f = exact.f((*wo).into(), (*wi).into()).to_f64();
-            let single =
-                |w: DVec3| crate::bxdf::math::Vec3::new(w.x as f32, w.y as f32, w.z as f32);
+            let single = |w: DVec3| bxdf::math::Vec3::new(w.x as f32, w.y as f32, w.z as f32);
             let other = choice.f(single(*wo), single(*wi)).to_f64();
             for (a, b) in f.into_iter().zip(other) {
                 difference += (a - b) * (a - b);

@@ -1,13 +1,13 @@
 //! The quantities on trial, each written twice.
 
 use super::Formula;
-use crate::bxdf::glossy::cosine_power;
-use crate::bxdf::math::{Real, Vec3};
-use crate::bxdf::microfacet::Normals as _;
-use crate::bxdf::microfacet::{ggx, gtr1};
-use crate::bxdf::models::eon_loss;
-use crate::bxdf::optics::conductor::Conductor;
-use crate::bxdf::optics::fresnel;
+use bxdf::glossy::cosine_power;
+use bxdf::internals::eon_loss;
+use bxdf::math::{Real, Vec3};
+use bxdf::microfacet::Normals as _;
+use bxdf::microfacet::{ggx, gtr1};
+use bxdf::optics::conductor::Conductor;
+use bxdf::optics::fresnel;
 
 /// The unit vector of sine `sin`, and its cosine.
 fn leaning<R: Real>(sin: R) -> Vec3<R> {

@@ -9,7 +9,7 @@ mod formulas;
 use xprec::Df64;
 
 use super::rounding::{relative_difference, stability_bound};
-use crate::bxdf::math::{Fast, Real};
+use bxdf::math::{Fast, Real};
 
 /// A quantity that is written twice.
 trait Formula {

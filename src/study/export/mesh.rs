@@ -12,9 +12,9 @@ use glam::DVec3;
 use serde_json::{Value, json};
 
 use super::names::Names;
-use crate::analysis::Channel;
-use crate::analysis::lobe::Arrow;
-use crate::analysis::lobe3d::{Mesh, Vertex};
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::lobe::Arrow;
+use bxdf_lab::analysis::lobe3d::{Mesh, Vertex};
 
 /// A lobe with the name of its material.
 pub struct Named {
@@ -187,7 +187,7 @@ fn view(start: usize, end: usize) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::session::Session;
+    use crate::session::Session;
 
     fn lobe() -> Named {
         let vertex = |direction, value| Vertex {

@@ -1,11 +1,11 @@
 //! What a session shows as files. Numbers, meshes and materials are made here; pictures and drawings by the window.
 
-use crate::bxdf::material::file as material_file;
-use crate::error::{Error, Result};
-use crate::study::colors::{Theme, material_color};
-use crate::study::data::Data;
-use crate::study::session::{MaterialEntry, Session};
-use crate::study::views::ViewKind;
+use crate::colors::{Theme, material_color};
+use crate::data::Data;
+use crate::session::{MaterialEntry, Session};
+use crate::views::ViewKind;
+use bxdf::error::{Error, Result};
+use bxdf::material::file as material_file;
 
 pub mod mesh;
 pub mod names;

@@ -5,9 +5,9 @@
 //! share of the flux has columns of its own, `delta_r` and so on, which are empty in the rows of values, as theirs are in
 //! its row.
 
-use crate::analysis::Channel;
-use crate::analysis::hemisphere::{Comparison, Quantity};
-use crate::study::session::Session;
+use crate::session::Session;
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::hemisphere::{Comparison, Quantity};
 
 /// The channels of a column, with what their names end in.
 pub const CHANNELS: [(Channel, &str); 4] = [

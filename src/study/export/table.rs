@@ -1,10 +1,10 @@
 //! The numbers behind each view as a table: one row for each point, the material first, units in the header.
 
 use super::names;
-use crate::analysis::deltas::Stem;
-use crate::error::{Error, Result};
-use crate::study::data::Data;
-use crate::study::session::{MaterialEntry, Session};
+use crate::data::Data;
+use crate::session::{MaterialEntry, Session};
+use bxdf::error::{Error, Result};
+use bxdf_lab::analysis::deltas::Stem;
 
 /// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,11 +28,11 @@ pub struct Table {
 pub type Fill = fn(&Session, &mut Data) -> Table;
 
 impl Table {
-    pub(in crate::study) fn new(columns: &[&str]) -> Self {
+    pub(crate) fn new(columns: &[&str]) -> Self {
         Self::named(columns.iter().map(|name| (*name).to_owned()).collect())
     }
 
-    pub(in crate::study) fn named(columns: Vec<String>) -> Self {
+    pub(crate) fn named(columns: Vec<String>) -> Self {
         Self {
             columns,
             rows: Vec::new(),
@@ -40,7 +40,7 @@ impl Table {
     }
 
     /// Adds a row: the material, then numbers.
-    pub(in crate::study) fn push(&mut self, title: &str, numbers: impl IntoIterator<Item = f64>) {
+    pub(crate) fn push(&mut self, title: &str, numbers: impl IntoIterator<Item = f64>) {
         let mut row = vec![Value::Text(title.to_owned())];
         row.extend(numbers.into_iter().map(Value::Number));
         self.rows.push(row);
@@ -69,14 +69,14 @@ impl Table {
 }
 
 /// The shown materials with their names.
-pub(in crate::study) fn shown(session: &Session) -> impl Iterator<Item = (&MaterialEntry, String)> {
+pub(crate) fn shown(session: &Session) -> impl Iterator<Item = (&MaterialEntry, String)> {
     let title = |entry| (entry, session.materials.title(entry));
     session.materials.shown().map(title)
 }
 
 impl Table {
     /// Adds a row: the material, where a value stands, the value.
-    pub(in crate::study) fn push_value(
+    pub(crate) fn push_value(
         &mut self,
         title: &str,
         at: impl IntoIterator<Item = f64>,
@@ -86,7 +86,7 @@ impl Table {
     }
 
     /// Adds a row: the material, where a delta stands, its share.
-    pub(in crate::study) fn push_delta(
+    pub(crate) fn push_delta(
         &mut self,
         title: &str,
         at: impl IntoIterator<Item = f64>,
@@ -96,7 +96,7 @@ impl Table {
     }
 
     /// Adds the rows of deltas over an angle; those that lie outside what is shown are not among them.
-    pub(in crate::study) fn push_stems(&mut self, title: &str, stems: &[Stem]) {
+    pub(crate) fn push_stems(&mut self, title: &str, stems: &[Stem]) {
         for stem in stems.iter().filter(|stem| stem.is_inside) {
             self.push_delta(title, [stem.x_deg], stem.flux);
         }

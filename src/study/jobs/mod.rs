@@ -12,8 +12,8 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::platform;
-use crate::analysis::Detail;
 use crate::parallel::Pool;
+use bxdf_lab::analysis::Detail;
 
 mod slot;
 

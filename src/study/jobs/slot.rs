@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 
 use super::{Clock, Jobs, Task, locked};
-use crate::analysis::Detail;
+use bxdf_lab::analysis::Detail;
 
 /// Tells a computation whether its answer is still wanted.
 pub struct Watch<'a> {
@@ -268,8 +268,8 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
-    use crate::study::jobs::FRAME_BUDGET;
-    use crate::study::platform;
+    use crate::jobs::FRAME_BUDGET;
+    use crate::platform;
 
     /// A pool whose answers are announced.
     fn pool() -> (Jobs, mpsc::Receiver<()>) {

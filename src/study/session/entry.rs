@@ -1,6 +1,6 @@
 //! A material of a session, with how it is shown.
 
-use crate::bxdf::Material;
+use bxdf::Material;
 
 /// What tells a material of a session from the others, whatever becomes of its name and its place in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,7 +3,7 @@
 use toml::de::{DeTable, DeValue};
 
 use super::Session;
-use crate::error::{Error, Result};
+use bxdf::error::{Error, Result};
 
 /// The version of the file. It grows when an older program would read a newer file as something else.
 pub const VERSION: u64 = 1;
@@ -89,8 +89,8 @@ fn refused(text: &str, place: &str, error: &toml::de::Error) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::{Hold, RadialScale};
-    use crate::study::session::Materials;
+    use crate::session::Materials;
+    use bxdf_lab::analysis::{Hold, RadialScale};
 
     #[test]
     fn toml_round_trips() {

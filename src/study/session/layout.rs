@@ -6,7 +6,7 @@ use serde::de::{self, Deserializer};
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::numbers::SHARE;
-use crate::study::views;
+use crate::views;
 
 /// A place of the window that views share, and how.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

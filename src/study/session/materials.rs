@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::entry::{EntryId, MaterialEntry, Slot};
-use crate::bxdf::Material;
-use crate::error::{Error, Result};
+use bxdf::Material;
+use bxdf::error::{Error, Result};
 
 /// The most materials of a session: more cannot be told apart, and a file of thousands would stop the window.
 pub const MAX_MATERIALS: usize = 32;

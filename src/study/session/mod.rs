@@ -6,9 +6,9 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::number::NumberSpec;
-use crate::analysis::{Channel, Hold, RadialScale};
-use crate::bxdf::math::frame;
-use crate::bxdf::{Material, Side, models};
+use bxdf::math::frame;
+use bxdf::{Material, Side, models};
+use bxdf_lab::analysis::{Channel, Hold, RadialScale};
 
 pub mod camera;
 mod entry;

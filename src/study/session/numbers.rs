@@ -1,8 +1,8 @@
 //! Every number of a session, with what it may be: the one place for its control and for the reader of its file.
 
 use super::{Session, folded_deg, wrapped_deg};
-use crate::analysis::RadialScale;
-use crate::study::number::NumberSpec;
+use crate::number::NumberSpec;
+use bxdf_lab::analysis::RadialScale;
 
 /// An angle of a full turn, stored within half a turn either way.
 const fn azimuth(name: &'static str) -> NumberSpec {
@@ -106,7 +106,7 @@ mod tests {
     use toml::Value;
 
     use super::*;
-    use crate::study::session::{Layout, READY_LAYOUTS};
+    use crate::session::{Layout, READY_LAYOUTS};
 
     /// A session in whose file every number stands.
     fn full() -> Session {

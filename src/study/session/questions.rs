@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::{DECADES, SAMPLES_LOG2, SamplingPlot, Session};
-use crate::analysis::reflectance::{CurveRequest, SharesRequest};
-use crate::analysis::{
+use bxdf_lab::analysis::reflectance::{CurveRequest, SharesRequest};
+use bxdf_lab::analysis::{
     Hold, RadialScale, cartesian, decomposition, hemisphere, lobe3d, polar, sampling, slice, sphere,
 };
-use crate::lab::stability::map::{self, Axis};
+use bxdf_lab::stability::map::{self, Axis};
 
 /// The shares of light at the screen: an error below half a unit of the last digit shown, and evaluations for a few
 /// milliseconds, whatever the material.

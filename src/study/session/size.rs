@@ -2,9 +2,9 @@
 
 use super::Session;
 use super::entry::MaterialEntry;
-use crate::bxdf::Material;
-use crate::error::Result;
 use crate::files;
+use bxdf::Material;
+use bxdf::error::Result;
 
 /// More than a lobe has as text besides its table: a dozen colours of three numbers.
 const LOBE_ROOM: u64 = 4 << 10;
@@ -19,7 +19,7 @@ impl Session {
     /// Refuses a session whose text nobody would read again.
     ///
     /// # Errors
-    /// [`Error::Limit`](crate::Error::Limit) where it is longer than [`files::MAX_TEXT`].
+    /// [`Error::Limit`](bxdf::Error::Limit) where it is longer than [`files::MAX_TEXT`].
     pub fn require_fit(&self) -> Result<()> {
         // Only near the limit it is worth being written, to be told to the byte.
         if self.text_bound() <= files::MAX_TEXT {
@@ -60,10 +60,10 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::bxdf::material::{Component, library};
-    use crate::bxdf::models::MODELS;
-    use crate::bxdf::table::{Shape, Table};
-    use crate::study::session::{MAX_MATERIALS, Materials};
+    use crate::session::{MAX_MATERIALS, Materials};
+    use bxdf::material::{Component, library};
+    use bxdf::models::MODELS;
+    use bxdf::table::{Shape, Table};
 
     /// A material whose table has so many nodes along each coordinate.
     fn table(n: usize) -> Material {

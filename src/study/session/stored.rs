@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::entry::{EntryId, MaterialEntry, Slot, has_equal_widths};
 use super::materials::{MAX_MATERIALS, Materials, limit};
-use crate::bxdf::Material;
-use crate::bxdf::material::file::MAX_DESCRIPTION;
-use crate::error::Error;
+use bxdf::Material;
+use bxdf::error::Error;
+use bxdf::material::file::MAX_DESCRIPTION;
 
 /// A material in the file. Only the material must be given: the rest is what a new one gets.
 #[derive(Serialize, Deserialize)]
@@ -103,7 +103,7 @@ impl<'de> Visitor<'de> for OneOrMany {
 }
 
 /// The materials of a file. Whatever two of them both claim, the first one keeps.
-fn restored(all: Vec<Stored>) -> crate::error::Result<Materials> {
+fn restored(all: Vec<Stored>) -> bxdf::error::Result<Materials> {
     let Some(first) = all.first() else {
         return Err(limit(0));
     };
@@ -151,7 +151,7 @@ fn restored(all: Vec<Stored>) -> crate::error::Result<Materials> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::session::Session;
+    use crate::session::Session;
 
     fn read(text: &str) -> Materials {
         Session::from_toml(text, "s.toml").unwrap().materials

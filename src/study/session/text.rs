@@ -4,10 +4,10 @@ use toml::de::DeTable;
 
 use super::Session;
 use super::entry::MaterialEntry;
-use crate::bxdf::Material;
-use crate::bxdf::material::{file, library};
-use crate::error::{Error, Result};
 use crate::files;
+use bxdf::Material;
+use bxdf::error::{Error, Result};
+use bxdf::material::{file, library};
 
 /// Where pasted text comes from, in errors.
 const PLACE: &str = "clipboard";
@@ -78,7 +78,7 @@ pub fn read(text: &str, place: &str) -> Result<Opened> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::session::Materials;
+    use crate::session::Materials;
 
     /// The material that is pasted.
     fn material(text: &str) -> Material {

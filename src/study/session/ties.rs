@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::entry::MaterialEntry;
 use super::materials::Materials;
-use crate::bxdf::param::{ParamSpec, Value};
-use crate::bxdf::{Component, Material};
+use bxdf::param::{ParamSpec, Value};
+use bxdf::{Component, Material};
 
 /// The widths along s and t that are linked.
 pub const WIDTHS: [&str; 2] = ["alpha_x", "alpha_y"];

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::cartesian::Abscissa;
-use crate::analysis::hemisphere::{Comparison, Projection, Quantity};
-use crate::analysis::sampling::FIRST_SEED;
-use crate::analysis::sphere::Light;
+use bxdf_lab::analysis::cartesian::Abscissa;
+use bxdf_lab::analysis::hemisphere::{Comparison, Projection, Quantity};
+use bxdf_lab::analysis::sampling::FIRST_SEED;
+use bxdf_lab::analysis::sphere::Light;
 
 /// The options of all views.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::colors::Theme;
 use super::platform;
 use super::session::{Opened, Session};
-use crate::error::Result;
 #[cfg(doc)]
 use crate::files::MAX_TEXT;
+use bxdf::error::Result;
 use own::Own;
 use place::Places;
 
@@ -19,8 +19,6 @@ mod files;
 mod own;
 mod place;
 
-#[cfg(not(target_arch = "wasm32"))]
-pub use dialogs::Native;
 pub use dialogs::{Answer, Dialogs, Question};
 #[cfg(not(target_arch = "wasm32"))]
 pub use files::Disk;

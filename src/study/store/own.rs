@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 
 use super::place::{Places, backup};
-use crate::error::{Error, Result};
-use crate::study::platform;
-use crate::study::session::{Opened, Session};
+use crate::platform;
+use crate::session::{Opened, Session};
+use bxdf::error::{Error, Result};
 
 /// How long an edit may stay unsaved, in seconds: what a crash costs at most.
 pub(super) const DELAY: f64 = 1.0;

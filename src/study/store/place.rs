@@ -11,9 +11,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use rustc_hash::FxHasher;
 
 use super::{Files, Found};
-use crate::error::{Error, Result};
 use crate::files::{MAX_TEXT, temporary_beside, text_of};
-use crate::study::session::{self, Opened, Session};
+use crate::session::{self, Opened, Session};
+use bxdf::error::{Error, Result};
 
 /// How many files that cannot be read are set aside beside one, before it is refused to be written over.
 const MOST_ASIDE: u32 = 99;

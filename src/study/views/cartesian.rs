@@ -1,11 +1,11 @@
 //! f over an angle.
 
 use super::ViewKind;
-use crate::analysis::cartesian::{Abscissa, Curve};
-use crate::study::data::Data;
-use crate::study::export::names::{self, Names};
-use crate::study::export::table::{Table, shown};
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::names::{self, Names};
+use crate::export::table::{Table, shown};
+use crate::session::Session;
+use bxdf_lab::analysis::cartesian::{Abscissa, Curve};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "cartesian",

@@ -1,11 +1,11 @@
 //! The lobes and factors of values.
 
 use super::ViewKind;
-use crate::bxdf::{Category, Side};
-use crate::study::data::Data;
-use crate::study::export::names::{self, Names};
-use crate::study::export::table::{Table, Value, shown};
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::names::{self, Names};
+use crate::export::table::{Table, Value, shown};
+use crate::session::Session;
+use bxdf::{Category, Side};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "decomposition",

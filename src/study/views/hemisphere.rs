@@ -1,11 +1,11 @@
 //! The disc of directions.
 
 use super::ViewKind;
-use crate::analysis::hemisphere::Comparison;
-use crate::study::data::Data;
-use crate::study::export::names::Names;
-use crate::study::export::table::{Table, shown};
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::names::Names;
+use crate::export::table::{Table, shown};
+use crate::session::Session;
+use bxdf_lab::analysis::hemisphere::Comparison;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "hemisphere",

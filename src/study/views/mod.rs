@@ -3,7 +3,7 @@
 use super::export::Format;
 use super::export::table::Fill;
 use super::session::Session;
-use crate::error::{Error, Result};
+use bxdf::error::{Error, Result};
 
 mod cartesian;
 mod decomposition;

@@ -1,11 +1,11 @@
 //! A section of the lobes.
 
 use super::ViewKind;
-use crate::analysis::polar::Point;
-use crate::study::data::Data;
-use crate::study::export::names::Names;
-use crate::study::export::table::{Table, shown};
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::names::Names;
+use crate::export::table::{Table, shown};
+use crate::session::Session;
+use bxdf_lab::analysis::polar::Point;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "polar",

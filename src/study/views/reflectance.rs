@@ -1,9 +1,9 @@
 //! The share of light that leaves.
 
 use super::ViewKind;
-use crate::study::data::Data;
-use crate::study::export::table::{Table, Value, shown};
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::table::{Table, Value, shown};
+use crate::session::Session;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "reflectance",

@@ -1,11 +1,11 @@
 //! Where samplers send directions.
 
 use super::ViewKind;
-use crate::analysis::sampling::Study;
-use crate::study::data::Data;
-use crate::study::export::table::{Table, Value, shown};
-use crate::study::session::SamplingPlot;
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::table::{Table, Value, shown};
+use crate::session::SamplingPlot;
+use crate::session::Session;
+use bxdf_lab::analysis::sampling::Study;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "sampling",

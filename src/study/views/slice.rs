@@ -1,12 +1,12 @@
 //! f over the angles of half vector and difference.
 
 use super::ViewKind;
-use crate::analysis::Subject;
-use crate::analysis::slice::{self, mirrored_at};
-use crate::study::data::Data;
-use crate::study::export::names::Names;
-use crate::study::export::table::{Table, shown};
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::names::Names;
+use crate::export::table::{Table, shown};
+use crate::session::Session;
+use bxdf_lab::analysis::Subject;
+use bxdf_lab::analysis::slice::{self, mirrored_at};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "slice",

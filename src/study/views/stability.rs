@@ -1,10 +1,10 @@
 //! Where digits are lost.
 
 use super::ViewKind;
-use crate::study::data::Data;
-use crate::study::export::table::Table;
-use crate::study::session::Session;
-use crate::study::session::StabilityPlot;
+use crate::data::Data;
+use crate::export::table::Table;
+use crate::session::Session;
+use crate::session::StabilityPlot;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "stability",

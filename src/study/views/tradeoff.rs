@@ -1,10 +1,10 @@
 //! What accuracy costs.
 
 use super::ViewKind;
-use crate::lab::tradeoff::table::{COLUMNS, rows as tradeoff_rows};
-use crate::study::data::Data;
-use crate::study::export::table::{Table, Value};
-use crate::study::session::Session;
+use crate::data::Data;
+use crate::export::table::{Table, Value};
+use crate::session::Session;
+use bxdf_lab::tradeoff::table::{COLUMNS, rows as tradeoff_rows};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "tradeoff",

@@ -6,9 +6,9 @@ use std::time::Duration;
 use egui::Context;
 
 use super::App;
-use crate::error::Result;
-use crate::study::store::{Answer, Question};
-use crate::ui::widgets::path_field::Outcome;
+use crate::widgets::path_field::Outcome;
+use bxdf::error::Result;
+use bxdf_study::store::{Answer, Question};
 
 /// How often an open dialog is looked at, in seconds.
 const POLL: f64 = 0.1;
@@ -35,7 +35,7 @@ impl App {
     }
 
     /// The field for a path, while it asks.
-    pub(in crate::ui) fn show_path_field(&mut self, ctx: &Context) {
+    pub(crate) fn show_path_field(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
         let Some(mut field) = files.asking.field.take() else {
             return;

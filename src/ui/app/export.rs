@@ -9,13 +9,13 @@ use egui::Context;
 use super::App;
 use super::exports::{Made, Making};
 use super::picture::{Maker, Picture};
-use crate::error::{Error, Result};
-use crate::study::export::{FORMATS, Format};
-use crate::study::platform;
-use crate::study::session::ViewId;
-use crate::study::store::Question;
-use crate::study::views as kinds;
-use crate::ui::widgets::saved::Saved;
+use crate::widgets::saved::Saved;
+use bxdf::error::{Error, Result};
+use bxdf_study::export::{FORMATS, Format};
+use bxdf_study::platform;
+use bxdf_study::session::ViewId;
+use bxdf_study::store::Question;
+use bxdf_study::views as kinds;
 
 /// The size of an exported view, in points, and its pixels per point: legible in print.
 const SIZE: [u32; 2] = [960, 720];
@@ -26,7 +26,7 @@ const POLL: f64 = 0.1;
 
 impl App {
     /// Asks where to export a view to.
-    pub(in crate::ui) fn ask_export(&mut self, view: ViewId, format: Format) {
+    pub(crate) fn ask_export(&mut self, view: ViewId, format: Format) {
         let Some(files) = &mut self.files else {
             return;
         };
@@ -62,7 +62,7 @@ impl App {
     }
 
     /// Begins to make a picture of a view for the clipboard: the one that a file of it would hold.
-    pub(in crate::ui) fn copy_picture(&mut self, view: ViewId, ctx: &Context) {
+    pub(crate) fn copy_picture(&mut self, view: ViewId, ctx: &Context) {
         let Some(maker) = self.maker() else { return };
         let picture = self.picture_of(view, ctx);
         let make = move || (maker.image)(picture).map(Made::Picture);

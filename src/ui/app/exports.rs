@@ -5,9 +5,9 @@ use std::sync::mpsc::Receiver;
 
 use egui::ColorImage;
 
-use crate::error::Result;
-use crate::study::export::Format;
-use crate::study::session::ViewId;
+use bxdf::error::Result;
+use bxdf_study::export::Format;
+use bxdf_study::session::ViewId;
 
 /// What the window exports.
 #[derive(Default)]

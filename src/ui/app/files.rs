@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::picture::Maker;
-use crate::study::store::{Dialogs, Question, Store};
-use crate::ui::widgets::path_field::PathField;
+use crate::widgets::path_field::PathField;
+use bxdf_study::store::{Dialogs, Question, Store};
 
 /// The files that the application works on.
 pub struct Files {

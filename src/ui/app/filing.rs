@@ -9,12 +9,12 @@ use egui::{Align2, Context, Event, ThemePreference};
 use super::App;
 use super::files::{Asking, Files};
 use super::picture::Maker;
-use crate::error::{Error, Result};
-use crate::files;
-use crate::study::colors;
-use crate::study::session::{self, Opened};
-use crate::study::store::{Dialogs, News, Question, Store};
-use crate::ui::widgets::saved::Saved;
+use crate::widgets::saved::Saved;
+use bxdf::error::{Error, Result};
+use bxdf_study::colors;
+use bxdf_study::files;
+use bxdf_study::session::{self, Opened};
+use bxdf_study::store::{Dialogs, News, Question, Store};
 
 /// The name proposed for a new file.
 const NEW_NAME: &str = "session.toml";
@@ -156,7 +156,7 @@ impl App {
 
     /// Takes back what this frame has done where nobody would read the session again: no edit leads to a session that cannot
     /// be kept.
-    pub(in crate::ui) fn refuse_what_does_not_fit(&mut self) {
+    pub(crate) fn refuse_what_does_not_fit(&mut self) {
         let before = self.history.present();
         if self.session == *before {
             return;
@@ -168,7 +168,7 @@ impl App {
     }
 
     /// Takes what is pasted where no text field does, what is dropped on the window, and what a dialog answers.
-    pub(in crate::ui) fn take_what_comes(&mut self, ctx: &Context) {
+    pub(crate) fn take_what_comes(&mut self, ctx: &Context) {
         self.take_what_is_read(ctx);
         if ctx.text_edit_focused() {
             self.refuse_long_pastes(ctx);
@@ -219,7 +219,7 @@ impl App {
     }
 
     /// Keeps the theme for the next run, and the session a moment after it has changed.
-    pub(in crate::ui) fn keep(&mut self, ctx: &Context) {
+    pub(crate) fn keep(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
         files
             .store
@@ -249,7 +249,7 @@ impl App {
 
     /// Keeps the session for the next run, at the end of this one. Where that fails it is put where there is room, and told of
     /// by [`Self::exit_problem`].
-    pub(in crate::ui) fn keep_now(&mut self) {
+    pub(crate) fn keep_now(&mut self) {
         let Some(files) = &mut self.files else { return };
         let Err(error) = files.store.keep_now(&self.session) else {
             return;

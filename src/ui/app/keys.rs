@@ -2,7 +2,7 @@
 
 use egui::{Context, Event, Key};
 
-use crate::ui::widgets::number::work::{self, Work};
+use crate::widgets::number::work::{self, Work};
 
 /// Keys that change the value of a control a little at a time.
 const MOVING_OR_TYPING: [Key; 6] = [
@@ -18,13 +18,13 @@ const MOVING_OR_TYPING: [Key; 6] = [
 const MAX_CLICK: f64 = 3.0;
 
 /// Has egui take a press and a release for a click even where frames are slow.
-pub(in crate::ui) fn allow_slow_clicks(ctx: &Context) {
+pub(crate) fn allow_slow_clicks(ctx: &Context) {
     ctx.options_mut(|options| options.input_options.max_click_duration = MAX_CLICK);
 }
 
 /// The control whose edits are one step together: the one that is dragged, or the one that has the keyboard while keys
 /// that move or type are pressed. A number that is typed is a step of its own.
-pub(in crate::ui) fn control_at_work(ctx: &Context) -> Option<egui::Id> {
+pub(crate) fn control_at_work(ctx: &Context) -> Option<egui::Id> {
     if let Some(work) = work::done(ctx) {
         return match work {
             Work::Entered => None,

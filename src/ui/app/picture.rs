@@ -2,10 +2,10 @@
 
 use egui::{ColorImage, Theme};
 
-use crate::error::Result;
-use crate::study::export::Format;
-use crate::study::session::Session;
-use crate::study::views::ViewKind;
+use bxdf::error::Result;
+use bxdf_study::export::Format;
+use bxdf_study::session::Session;
+use bxdf_study::views::ViewKind;
 
 /// A picture to be made.
 pub struct Picture {

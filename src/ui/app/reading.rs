@@ -8,10 +8,10 @@ use egui::{Context, Panel, Ui};
 
 use super::App;
 use super::readings::Reading;
-use crate::error::{Error, Result};
-use crate::files;
-use crate::study::platform;
-use crate::study::session::Opened;
+use bxdf::error::{Error, Result};
+use bxdf_study::files;
+use bxdf_study::platform;
+use bxdf_study::session::Opened;
 
 /// Texts up to this many bytes are read at once: that takes no longer than a frame.
 const AT_ONCE: usize = 1 << 15;
@@ -101,7 +101,7 @@ impl App {
     }
 
     /// A panel at the bottom that says what is being read.
-    pub(in crate::ui) fn show_reading(&self, ui: &mut Ui) {
+    pub(crate) fn show_reading(&self, ui: &mut Ui) {
         if let Some(first) = self.readings.waiting.front() {
             Panel::bottom("reading").show(ui, |ui| {
                 // No wheel turns: it would have every frame drawn, beside the thread that reads.

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
 
-use crate::error::Result;
-use crate::study::session::Opened;
+use bxdf::error::Result;
+use bxdf_study::session::Opened;
 
 /// What is being read, in the order in which it came.
 pub struct Readings {

@@ -2,7 +2,7 @@
 
 use egui::{Button, Context, KeyboardShortcut, Ui};
 
-use crate::ui::app::App;
+use crate::app::App;
 
 /// What a command is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use egui::{Context, Grid, Id, Modal, RichText, ScrollArea, Ui};
 
 use super::command::{Command, Group};
 use super::list::COMMANDS;
-use crate::ui::theme;
+use crate::theme;
 
 /// What the mouse and the keys do in parts of the window.
 const GESTURES: [(&str, &[(&str, &str)]); 4] = [

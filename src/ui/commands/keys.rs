@@ -4,7 +4,7 @@ use egui::{Context, Event, InputState, KeyboardShortcut, Modifiers};
 
 use super::command::Command;
 use super::list::COMMANDS;
-use crate::ui::app::App;
+use crate::app::App;
 
 /// Runs the commands whose keys are pressed, in their order, until one of them gives the focus to a text: what follows is
 /// typed there. A text that has the focus keeps all keys.

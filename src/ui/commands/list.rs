@@ -3,9 +3,9 @@
 use egui::{Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
 use super::command::{Command, Group, command};
-use crate::analysis::Hold;
-use crate::study::session::{Curves, MAX_MATERIALS};
-use crate::ui::app::App;
+use crate::app::App;
+use bxdf_lab::analysis::Hold;
+use bxdf_study::session::{Curves, MAX_MATERIALS};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);

@@ -4,9 +4,9 @@ use egui::Context;
 
 use super::command::Command;
 use super::list::COMMANDS;
-use crate::ui::app::App;
-use crate::ui::widgets::hits::{self, Found, Known};
-use crate::ui::widgets::search::{Entry, Outcome, Search};
+use crate::app::App;
+use crate::widgets::hits::{self, Found, Known};
+use crate::widgets::search::{Entry, Outcome, Search};
 
 /// The window of `search`, while it goes on.
 pub fn show(search: &mut Search, ctx: &Context, app: &App) -> Outcome<&'static Command> {

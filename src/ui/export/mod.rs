@@ -7,8 +7,8 @@ use egui::ColorImage;
 use super::app::{Maker, Picture};
 use super::headless;
 use super::theme::{self, Palette};
-use crate::error::Result;
-use crate::study::export::{Format, refused, text};
+use bxdf::error::Result;
+use bxdf_study::export::{Format, refused, text};
 
 pub mod svg;
 

@@ -7,7 +7,7 @@ use glam::camera::rh::{proj::directx, view};
 use glam::{Mat4, Vec3};
 
 use super::ray::Ray;
-use crate::study::session::camera::{Basis, NARROW_FOV, OrbitCamera};
+use bxdf_study::session::camera::{Basis, NARROW_FOV, OrbitCamera};
 
 /// Near plane as a fraction of the eye distance.
 const NEAR_FRACTION: f32 = 0.05;
@@ -82,7 +82,7 @@ fn half_tangents(aspect: f32) -> (f32, f32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::session::camera::HomeView;
+    use bxdf_study::session::camera::HomeView;
 
     fn rect(aspect: f32) -> Rect {
         Rect::from_min_size(Pos2::new(10.0, 20.0), Vec2::new(400.0 * aspect, 400.0))

@@ -1,6 +1,6 @@
 //! Small 3D views inside egui: a scene of triangles and lines, seen by an orbit camera.
 //!
-//! A caller builds a [`Scene`] with the builders in it, keeps an [`OrbitCamera`](crate::study::session::camera::OrbitCamera), and adds
+//! A caller builds a [`Scene`] with the builders in it, keeps an [`OrbitCamera`](bxdf_study::session::camera::OrbitCamera), and adds
 //! [`shape`] to an egui painter each frame. [`init`] must have run once at start-up.
 //!
 //! ```text

@@ -13,7 +13,7 @@ use super::buffers::SceneBuffers;
 use super::camera::Projection as _;
 use super::geometry::{Rgba, Scene};
 use super::pipelines::{COLOR_FORMAT, DEPTH_FORMAT, Pipelines, SAMPLES};
-use crate::study::session::OrbitCamera;
+use bxdf_study::session::OrbitCamera;
 
 /// One 3D view in one frame.
 ///

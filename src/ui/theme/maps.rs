@@ -6,7 +6,7 @@ use egui::Color32;
 
 use super::Rgba;
 use super::palette::{rgb, translucent};
-use crate::analysis::Channel;
+use bxdf_lab::analysis::Channel;
 
 /// Alpha of the area under a curve, 0..255.
 const FILL_ALPHA: u8 = 30;

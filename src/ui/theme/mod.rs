@@ -3,9 +3,9 @@
 use egui::{FontFamily, FontId, TextStyle, Theme, Vec2};
 
 use super::scene3d::Rgba;
-use crate::analysis::Channel;
-use crate::study::colors;
-use crate::study::session::Slot;
+use bxdf_lab::analysis::Channel;
+use bxdf_study::colors;
+use bxdf_study::session::Slot;
 pub use maps::*;
 pub use palette::Palette;
 

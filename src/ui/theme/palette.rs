@@ -3,10 +3,10 @@
 use egui::{Color32, Theme};
 
 use super::Rgba;
-use crate::analysis::{Channel, Hold};
-use crate::bxdf::Category;
-use crate::study::colors::{self, material_colors, okabe_ito};
-use crate::study::session::Slot;
+use bxdf::Category;
+use bxdf_lab::analysis::{Channel, Hold};
+use bxdf_study::colors::{self, material_colors, okabe_ito};
+use bxdf_study::session::Slot;
 
 /// The colours of one theme.
 #[derive(Clone, Copy, Debug)]

@@ -3,17 +3,17 @@
 use egui::{Align2, Ui};
 
 use super::{Cursor, ViewContext};
-use crate::analysis::cartesian::{self, Abscissa, Curve};
-use crate::analysis::half_difference::half_difference;
-use crate::analysis::lobe::Arrow;
-use crate::analysis::{Channel, HeldLobe, polar};
-use crate::bxdf::Side;
-use crate::study::format;
-use crate::study::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
-use crate::ui::theme::{self, Dash, Palette};
-use crate::ui::widgets::chart::{Axis, Chart, Series, Shown};
-use crate::ui::widgets::legend::{self, Sample};
-use crate::ui::widgets::{choice, draw};
+use crate::theme::{self, Dash, Palette};
+use crate::widgets::chart::{Axis, Chart, Series, Shown};
+use crate::widgets::legend::{self, Sample};
+use crate::widgets::{choice, draw};
+use bxdf::Side;
+use bxdf_lab::analysis::cartesian::{self, Abscissa, Curve};
+use bxdf_lab::analysis::half_difference::half_difference;
+use bxdf_lab::analysis::lobe::Arrow;
+use bxdf_lab::analysis::{Channel, HeldLobe, polar};
+use bxdf_study::format;
+use bxdf_study::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
 
 /// The list entry.
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {

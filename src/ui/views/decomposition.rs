@@ -5,15 +5,15 @@ use std::sync::Arc;
 use egui::{Color32, Rect, Ui, UiBuilder};
 
 use super::{Cursor, ViewContext};
-use crate::analysis::decomposition::{Decomposition, Factors};
-use crate::analysis::{Channel, deltas, polar};
-use crate::bxdf::{Category, Lobe};
-use crate::study::format;
-use crate::study::session::{DECADES, Decomposed, EntryId, Session};
-use crate::ui::theme::{self, Dash, Palette};
-use crate::ui::widgets::chart::{self, Axis, Band, Chart, Series};
-use crate::ui::widgets::legend::{self, Sample};
-use crate::ui::widgets::{choice, draw, pictures};
+use crate::theme::{self, Dash, Palette};
+use crate::widgets::chart::{self, Axis, Band, Chart, Series};
+use crate::widgets::legend::{self, Sample};
+use crate::widgets::{choice, draw, pictures};
+use bxdf::{Category, Lobe};
+use bxdf_lab::analysis::decomposition::{Decomposition, Factors};
+use bxdf_lab::analysis::{Channel, deltas, polar};
+use bxdf_study::format;
+use bxdf_study::session::{DECADES, Decomposed, EntryId, Session};
 
 /// The list entry.
 /// Width over height of the charts of several materials.
@@ -281,8 +281,8 @@ fn x_axis<'a>(session: &Session, mut parts: impl Iterator<Item = &'a Decompositi
 fn lobe_name(lobe: &Lobe) -> String {
     let kind = lobe.category.title();
     let side = match lobe.side {
-        crate::bxdf::Side::Reflection => "",
-        crate::bxdf::Side::Transmission => ", transmitted",
+        bxdf::Side::Reflection => "",
+        bxdf::Side::Transmission => ", transmitted",
     };
     if lobe.name.is_empty() {
         format!("{kind}{side}")

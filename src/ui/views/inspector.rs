@@ -6,14 +6,14 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 use glam::DVec3;
 
 use super::ViewContext;
-use crate::analysis::half_difference::{HalfDifference, Spherical, half_difference};
-use crate::analysis::hemisphere::Quantity;
-use crate::analysis::inspector::{DeltaReading, Reading, deltas};
-use crate::analysis::{Channel, Hold};
-use crate::bxdf::Side;
-use crate::study::export::names;
-use crate::study::format;
-use crate::ui::widgets::{deltas as widgets_deltas, draw};
+use crate::widgets::{deltas as widgets_deltas, draw};
+use bxdf::Side;
+use bxdf_lab::analysis::half_difference::{HalfDifference, Spherical, half_difference};
+use bxdf_lab::analysis::hemisphere::Quantity;
+use bxdf_lab::analysis::inspector::{DeltaReading, Reading, deltas};
+use bxdf_lab::analysis::{Channel, Hold};
+use bxdf_study::export::names;
+use bxdf_study::format;
 
 /// The list entry.
 /// The columns of numbers: name and meaning.

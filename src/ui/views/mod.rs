@@ -10,15 +10,15 @@ use super::theme::{Dash, Palette};
 use super::widgets::chart::{self, Axis, Mark};
 use super::widgets::pictures::{ColorScale, Textures};
 use super::widgets::{choice, deltas as widgets_deltas, draw};
-use crate::analysis::hemisphere::Map;
-use crate::analysis::{Hold, deltas, polar as section};
-use crate::lab::stability::map as stability_map;
-use crate::study::cursor::Cursor;
-use crate::study::data::Data;
-use crate::study::export::{Format, nothing_to_show};
-use crate::study::memo::{Memo, Same};
-use crate::study::session::{EntryId, Materials, Session, ViewId};
-use crate::study::views::ViewKind;
+use bxdf_lab::analysis::hemisphere::Map;
+use bxdf_lab::analysis::{Hold, deltas, polar as section};
+use bxdf_lab::stability::map as stability_map;
+use bxdf_study::cursor::Cursor;
+use bxdf_study::data::Data;
+use bxdf_study::export::{Format, nothing_to_show};
+use bxdf_study::memo::{Memo, Same};
+use bxdf_study::session::{EntryId, Materials, Session, ViewId};
+use bxdf_study::views::ViewKind;
 
 mod cartesian;
 mod decomposition;
@@ -42,7 +42,7 @@ macro_rules! list {
         static SHOW: [(&str, Show); [$(stringify!($id)),*].len()] = [$((stringify!($id), $id::show)),*];
     };
 }
-crate::view_kinds!(list);
+bxdf_study::view_kinds!(list);
 
 /// Draws the view.
 pub fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {

@@ -3,15 +3,15 @@
 use egui::{RichText, Ui};
 
 use super::ViewContext;
-use crate::analysis::Channel;
-use crate::analysis::reflectance::{Curve, LobeShare, by_kind};
-use crate::bxdf::{Category, Side};
-use crate::study::format;
-use crate::study::session::{Session, Split};
-use crate::ui::theme::{self, Dash};
-use crate::ui::widgets::chart::{Axis, Band, Chart, Mark, Series};
-use crate::ui::widgets::legend::{self, Sample};
-use crate::ui::widgets::{choice, draw};
+use crate::theme::{self, Dash};
+use crate::widgets::chart::{Axis, Band, Chart, Mark, Series};
+use crate::widgets::legend::{self, Sample};
+use crate::widgets::{choice, draw};
+use bxdf::{Category, Side};
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::reflectance::{Curve, LobeShare, by_kind};
+use bxdf_study::format;
+use bxdf_study::session::{Session, Split};
 
 /// The list entry.
 /// A part of the light that leaves.
@@ -237,7 +237,7 @@ fn split_shares(shares: &[LobeShare], split: Split) -> Vec<(String, Option<Categ
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::Lobe;
+    use bxdf::Lobe;
 
     #[test]
     fn parts_sum_to_the_whole() {

@@ -5,13 +5,13 @@ use std::sync::Arc;
 use egui::{Align2, Rect, Response, Ui, vec2};
 
 use super::ViewContext;
-use crate::analysis::slice::{REGIONS, Region, Request, Slice, mirrored_at, pair_at, place_of};
-use crate::analysis::{Channel, Subject};
-use crate::study::format;
-use crate::study::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
-use crate::ui::theme::Palette;
-use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
-use crate::ui::widgets::{choice, deltas, draw};
+use crate::theme::Palette;
+use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
+use crate::widgets::{choice, deltas, draw};
+use bxdf_lab::analysis::slice::{REGIONS, Region, Request, Slice, mirrored_at, pair_at, place_of};
+use bxdf_lab::analysis::{Channel, Subject};
+use bxdf_study::format;
+use bxdf_study::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
 
 /// The list entry.
 /// Room for the names and numbers of the axes, in points: at the left and below.

@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use egui::{Button, Color32, Response, RichText, Role, Ui, WidgetInfo};
 
-use crate::bxdf::Material;
-use crate::lab::contract::{LawId, LawReport, PHYSICAL, Status, Witness};
-use crate::study::data::Data;
-use crate::study::format;
-use crate::study::session::MaterialEntry;
-use crate::ui::theme::{self, Palette};
+use crate::theme::{self, Palette};
+use bxdf::Material;
+use bxdf_lab::contract::{LawId, LawReport, PHYSICAL, Status, Witness};
+use bxdf_study::data::Data;
+use bxdf_study::format;
+use bxdf_study::session::MaterialEntry;
 
 /// What is known of a law for a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

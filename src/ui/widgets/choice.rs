@@ -2,9 +2,9 @@
 
 use egui::{Response, Ui};
 
-use crate::study::number::NumberSpec;
-use crate::ui::theme;
-use crate::ui::widgets::number::Number;
+use crate::theme;
+use crate::widgets::number::Number;
+use bxdf_study::number::NumberSpec;
 
 /// Begins a new row where `width` points do not fit into this one: what stands in a row of its own does not wrap.
 pub fn keep_together(ui: &mut Ui, width: f32) {

@@ -4,11 +4,11 @@ use egui::collapsing_header::{CollapsingState, paint_default_icon};
 use egui::{Align, Button, Layout, Response, RichText, Role, Ui, WidgetInfo};
 
 use super::params::{self, Ties};
-use crate::bxdf::material::{MAX_COMPONENTS, library};
-use crate::bxdf::models::MODELS;
-use crate::bxdf::param::Value;
-use crate::bxdf::{Category, Component, Material, ModelSpec};
-use crate::lab::contract::weight_that_keeps_energy;
+use bxdf::material::{MAX_COMPONENTS, library};
+use bxdf::models::MODELS;
+use bxdf::param::Value;
+use bxdf::{Category, Component, Material, ModelSpec};
+use bxdf_lab::contract::weight_that_keeps_energy;
 
 /// The weight of a lobe that is added, where there is so much room: the material stays what it is.
 const ADDED_WEIGHT: f64 = 0.25;
@@ -300,7 +300,7 @@ fn carry_index(before: &[Component], components: &mut [Component]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::models;
+    use bxdf::models;
 
     #[test]
     fn a_lobe_that_is_added_takes_over_the_index() {

@@ -3,9 +3,9 @@
 use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 
 use super::draw;
-use crate::bxdf::Side;
-use crate::study::format;
-use crate::ui::theme::{Dash, Palette};
+use crate::theme::{Dash, Palette};
+use bxdf::Side;
+use bxdf_study::format;
 
 /// The radius of the ring about a delta's direction, in points.
 const RING: f32 = 7.0;

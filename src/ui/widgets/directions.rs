@@ -2,10 +2,10 @@
 
 use egui::{Grid, RichText, ScrollArea, Ui};
 
-use crate::analysis::Hold;
-use crate::study::number::NumberSpec;
-use crate::study::session::{PHI, ROTATION, Session};
-use crate::ui::widgets::number::Number;
+use crate::widgets::number::Number;
+use bxdf_lab::analysis::Hold;
+use bxdf_study::number::NumberSpec;
+use bxdf_study::session::{PHI, ROTATION, Session};
 
 /// The panel; it changes the session.
 pub fn show(ui: &mut Ui, session: &mut Session) {
@@ -84,7 +84,7 @@ fn trigonometry(ui: &mut Ui, name: &str, angle_deg: f64) {
 
 /// Cosine, sine and tangent as text; the tangent of a right angle is infinite.
 fn cos_sin_tan(angle_deg: f64) -> [String; 3] {
-    let (cos, sin) = crate::bxdf::math::frame::cos_sin_deg(angle_deg);
+    let (cos, sin) = bxdf::math::frame::cos_sin_deg(angle_deg);
     let number = |x: f64| format!("{:>6.3}", x + 0.0);
     let tangent = if cos == 0.0 {
         format!("{:>6}", "inf")

@@ -5,12 +5,12 @@ use egui::{
 };
 use egui_plot::{MarkerShape, PlotUi};
 
-use crate::analysis::Channel;
-use crate::analysis::half_difference::Spherical;
-use crate::study::cursor::Cursor;
-use crate::study::format;
-use crate::study::session::{Curves, Session};
-use crate::ui::theme::{self, Dash, Palette};
+use crate::theme::{self, Dash, Palette};
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::half_difference::Spherical;
+use bxdf_study::cursor::Cursor;
+use bxdf_study::format;
+use bxdf_study::session::{Curves, Session};
 
 /// Scrolling by this many points zooms by a factor e to this times them.
 pub const ZOOM_PER_POINT: f32 = 0.003;
@@ -217,7 +217,7 @@ pub fn cursor_text(cursor: &Cursor, session: &Session, value: [f64; 3]) -> Strin
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::math::frame::direction_from_degrees;
+    use bxdf::math::frame::direction_from_degrees;
 
     #[test]
     fn notes_stay_inside() {

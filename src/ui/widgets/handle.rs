@@ -5,7 +5,7 @@ use egui::{
     WidgetInfo,
 };
 
-use crate::ui::theme::{HANDLE_RADIUS, HANDLE_REACH, Palette};
+use crate::theme::{HANDLE_RADIUS, HANDLE_REACH, Palette};
 
 /// What is left free about a handle, in points.
 const LABEL_GAP: f32 = 6.0;

@@ -2,8 +2,8 @@
 
 use egui::Ui;
 
-use crate::study::session::{READY_LAYOUTS, Session, ViewId};
-use crate::study::views::VIEWS;
+use bxdf_study::session::{READY_LAYOUTS, Session, ViewId};
+use bxdf_study::views::VIEWS;
 
 /// The menu.
 pub fn menu(ui: &mut Ui, session: &mut Session) {

@@ -8,8 +8,8 @@ use egui::{
 };
 
 use super::draw;
-use crate::study::session::{EntryId, MaterialEntry, Session};
-use crate::ui::theme::{self, Dash, Palette};
+use crate::theme::{self, Dash, Palette};
+use bxdf_study::session::{EntryId, MaterialEntry, Session};
 
 /// What stands before a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use egui::{RichText, ThemePreference, Ui};
 
-use crate::study::session::{Curves, LobeSurface, SECTION_PHI, Session};
-use crate::ui::theme;
-use crate::ui::widgets::number::Number;
+use crate::theme;
+use crate::widgets::number::Number;
+use bxdf_study::session::{Curves, LobeSurface, SECTION_PHI, Session};
 
 /// The line that says what to try first.
 const FIRST_STEP: &str = "Try this: drag the round handle, pick another model";

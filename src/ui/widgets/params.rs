@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 
 use egui::{ComboBox, Response, Ui, accesskit};
 
-use crate::bxdf::Component;
-use crate::bxdf::material::WEIGHT;
-use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
-use crate::error::Error;
-use crate::study::number::NumberSpec;
-use crate::study::session::WIDTHS;
-use crate::ui::theme;
-use crate::ui::widgets::number::{Number, Shown};
+use crate::theme;
+use crate::widgets::number::{Number, Shown};
+use bxdf::Component;
+use bxdf::error::Error;
+use bxdf::material::WEIGHT;
+use bxdf::param::{Kind, ParamSpec, Scale, Value};
+use bxdf_study::number::NumberSpec;
+use bxdf_study::session::WIDTHS;
 
 /// Says why a model refuses a value though it is within its range.
 type Check<'a> = &'a dyn Fn(Value) -> Result<(), String>;

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use egui::text::{CCursor, CCursorRange};
 use egui::{Context, Id, Key, Modal, RichText, TextEdit, Ui};
 
-use crate::study::store::{Found, Question};
-use crate::ui::theme;
+use crate::theme;
+use bxdf_study::store::{Found, Question};
 
 /// The longest path that is read, in characters: no system has longer ones.
 const LONGEST: usize = 4096;

@@ -3,7 +3,7 @@
 use egui::{Align2, Button, Id, Rect, RichText, Sense, Ui, UiBuilder};
 use egui_plot::PlotMemory;
 
-use crate::ui::theme;
+use crate::theme;
 
 /// The button, in a corner of `room`, where the view `is_changed`. Returns whether it is clicked.
 pub fn button(ui: &mut Ui, room: Rect, corner: Align2, is_changed: bool) -> bool {

@@ -6,7 +6,7 @@ use std::sync::mpsc::{self, Receiver};
 
 use egui::{Align, Button, Label, Layout, Panel, RichText, Ui};
 
-use crate::study::platform;
+use bxdf_study::platform;
 
 /// For how long it is shown at least, in seconds: it goes with the next movement after that.
 const SHOWN: f64 = 15.0;

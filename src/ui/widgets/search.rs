@@ -3,7 +3,7 @@
 use egui::{Align, Button, Context, Id, Key, Modal, Response, ScrollArea, TextEdit, Ui};
 
 use super::hits::{self, Found, Highlight};
-use crate::ui::theme;
+use crate::theme;
 
 /// What becomes of the search.
 pub enum Outcome<T> {

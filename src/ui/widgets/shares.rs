@@ -2,10 +2,10 @@
 
 use egui::{Color32, Grid, Painter, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use crate::analysis::Channel;
-use crate::analysis::reflectance::{LobeShare, Reflectance, by_kind};
-use crate::bxdf::Side;
-use crate::ui::theme::{self, Palette};
+use crate::theme::{self, Palette};
+use bxdf::Side;
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::reflectance::{LobeShare, Reflectance, by_kind};
 
 /// A sum of shares beyond 1 that is taken for more than an error of the quadrature or of rounded parameters.
 const EXCESS: f64 = 0.005;
@@ -162,7 +162,7 @@ fn legend(ui: &mut Ui, parts: &[Part], error: f64, palette: &Palette) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::{Category, Lobe};
+    use bxdf::{Category, Lobe};
 
     #[test]
     fn shares_sum_to_one() {

@@ -3,11 +3,11 @@
 use egui::{Align, Label, Layout, Ui};
 
 use super::{draw, shares};
-use crate::analysis::reflectance::LobeShare;
-use crate::study::cursor::Cursor;
-use crate::study::data::Progress;
-use crate::study::session::Session;
-use crate::ui::theme::Palette;
+use crate::theme::Palette;
+use bxdf_lab::analysis::reflectance::LobeShare;
+use bxdf_study::cursor::Cursor;
+use bxdf_study::data::Progress;
+use bxdf_study::session::Session;
 
 /// The line.
 pub fn show(

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 
-use crate::analysis::thumbnail;
-use crate::bxdf::material::library::Named;
-use crate::ui::theme;
+use crate::theme;
+use bxdf::material::library::Named;
+use bxdf_lab::analysis::thumbnail;
 
 /// The most pixels along a side: beyond it a picture takes longer than a frame, and shows nothing more.
 const MAX_SIDE: usize = 48;
@@ -63,7 +63,7 @@ mod tests {
     use egui::RawInput;
 
     use super::*;
-    use crate::bxdf::material::library;
+    use bxdf::material::library;
 
     /// Which of the first two pictures are there, in each of two frames.
     fn made(mut thumbnails: Thumbnails) -> [[bool; 2]; 2] {

@@ -160,7 +160,7 @@ fn tail(x: Df64) -> Df64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bxdf::math::Real;
+    use crate::math::Real;
 
     /// x, at anchors and between them, erf(x), erfc(x) as the sum of two doubles, from 50-digit arithmetic.
     const TABLE: &[(f64, [f64; 2], [f64; 2])] = &[

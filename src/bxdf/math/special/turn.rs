@@ -74,7 +74,7 @@ mod tests {
     use xprec::Df64;
 
     use super::*;
-    use crate::bxdf::math::Real;
+    use crate::math::Real;
 
     /// The largest relative error measured is 1.9 roundings; a bound with room for other numbers.
     const LARGEST_ERROR: f64 = 2.5 * f64::UNIT_ROUNDOFF;

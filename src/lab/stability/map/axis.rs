@@ -1,8 +1,8 @@
 //! What a map runs over.
 
 use super::Place;
-use crate::bxdf::Material;
-use crate::bxdf::param::{Kind, ParamSpec, Scale, Value};
+use bxdf::Material;
+use bxdf::param::{Kind, ParamSpec, Scale, Value};
 
 /// What a map runs over along one of its sides.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,10 +9,10 @@ pub use axis::Axis;
 use super::point::{self, Tested};
 use crate::analysis::raster::Raster;
 use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
-use crate::bxdf::Material;
-use crate::bxdf::math::Real;
-use crate::bxdf::math::frame::{self, direction_from_degrees};
-use crate::lab::subject::Subject;
+use crate::subject::Subject;
+use bxdf::Material;
+use bxdf::math::Real;
+use bxdf::math::frame::{self, direction_from_degrees};
 
 /// A place of a map: a material and a pair of directions by their angles.
 #[derive(Clone, Debug, PartialEq)]
@@ -272,7 +272,7 @@ mod tests {
 
     #[test]
     fn every_axis_of_every_model_gives_a_place() {
-        for model in crate::bxdf::models::MODELS {
+        for model in bxdf::models::MODELS {
             let material: Material = model.id.parse().unwrap();
             for axis in Axis::all(&material) {
                 let place = Place::of(&material, DVec3::Z, DVec3::X);

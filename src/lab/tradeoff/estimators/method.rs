@@ -1,10 +1,10 @@
 //! Ways to choose the directions of an estimate.
 
 use super::sequence::Numbers;
-use crate::bxdf::Bxdf;
-use crate::bxdf::batch::{Columns, Job, Path};
-use crate::bxdf::math::{Vec3, warp};
-use crate::bxdf::optics::spectrum::luminance;
+use bxdf::Bxdf;
+use bxdf::batch::{Columns, Job, Path};
+use bxdf::math::{Vec3, warp};
+use bxdf::optics::spectrum::luminance;
 
 /// The surface whose reflectance is estimated, with the direction of view held.
 #[derive(Clone, Copy)]

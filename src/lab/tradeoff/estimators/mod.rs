@@ -10,10 +10,10 @@ use rayon::prelude::*;
 use super::{Bench, CostUnit, Family, Point, Stop, Study};
 use crate::analysis::quadrature::Integral;
 use crate::analysis::{HeldLobe, Hold};
-use crate::bxdf::Side;
-use crate::bxdf::batch::Columns;
-use crate::bxdf::math::quadrature::gauss_legendre;
-use crate::bxdf::optics::spectrum::luminance;
+use bxdf::Side;
+use bxdf::batch::Columns;
+use bxdf::math::quadrature::gauss_legendre;
+use bxdf::optics::spectrum::luminance;
 
 use method::{Method, Surface};
 use sequence::Sequence;
@@ -67,7 +67,7 @@ impl Family for Estimators {
 
     fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
         let truth = Truth::of(study)?;
-        let degrees = crate::bxdf::math::frame::theta(study.held).to_degrees();
+        let degrees = bxdf::math::frame::theta(study.held).to_degrees();
         bench.reference(format!(
             "rho_hd at {degrees:.0} degrees by adaptive quadrature, estimated relative error {:.0e}",
             truth.error / truth.rho

@@ -3,7 +3,7 @@
 use sobol_burley::sample;
 
 use crate::analysis::statistics::Random;
-use crate::bxdf::batch::Columns;
+use bxdf::batch::Columns;
 
 /// How the numbers of the samples are spread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use glam::Vec3;
 use serde::Deserialize;
 
 use super::{DISTANCE_RANGE, MAX_TARGET, OrbitCamera};
-use crate::study::number::NumberSpec;
+use crate::number::NumberSpec;
 
 /// The camera of a file, which may have been edited.
 #[derive(Deserialize)]

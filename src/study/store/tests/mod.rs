@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::place::{backup, with_suffix};
 use super::*;
-use crate::bxdf::Material;
-use crate::bxdf::material::library;
 use crate::files::MAX_TEXT;
-use crate::lab::timing::NoClock;
-use crate::lab::tradeoff::{FAMILIES, Family, Study, measure};
-use crate::study::session::{MAX_MATERIALS, Materials};
+use crate::session::{MAX_MATERIALS, Materials};
+use bxdf::Material;
+use bxdf::material::library;
+use bxdf_lab::timing::NoClock;
+use bxdf_lab::tradeoff::{FAMILIES, Family, Study, measure};
 
 mod own;
 

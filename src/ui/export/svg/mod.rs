@@ -13,7 +13,7 @@ use egui::epaint::{
 use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 
 use super::{ImageOf, png_of};
-use crate::error::Result;
+use bxdf::error::Result;
 use elements::{path_of, place, short, stroked, turned};
 
 mod elements;

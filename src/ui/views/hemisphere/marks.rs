@@ -6,13 +6,13 @@ use egui::{Align2, Rect, Ui};
 use glam::DVec3;
 
 use super::{LABELS, ViewContext, mirrored};
-use crate::analysis::Channel;
-use crate::analysis::hemisphere::{DeltaValue, Map, Quantity};
-use crate::bxdf::math::frame;
-use crate::study::format;
-use crate::study::session::{EntryId, Session};
-use crate::ui::theme::Palette;
-use crate::ui::widgets::{deltas, draw, handle, pictures};
+use crate::theme::Palette;
+use crate::widgets::{deltas, draw, handle, pictures};
+use bxdf::math::frame;
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::hemisphere::{DeltaValue, Map, Quantity};
+use bxdf_study::format;
+use bxdf_study::session::{EntryId, Session};
 
 /// The circles drawn, in degrees from n.
 const CIRCLES_DEG: [f64; 2] = [30.0, 60.0];

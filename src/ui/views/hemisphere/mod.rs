@@ -5,12 +5,12 @@ use std::sync::Arc;
 use egui::{Rect, Response, Shape, Ui};
 
 use super::{Cursor, ViewContext};
-use crate::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
-use crate::analysis::{Channel, HeldLobe, Subject};
-use crate::study::format;
-use crate::study::session::{DECADES, EntryId, MaterialEntry, Session};
-use crate::ui::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
-use crate::ui::widgets::{choice, deltas, draw, handle};
+use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
+use crate::widgets::{choice, deltas, draw, handle};
+use bxdf_lab::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
+use bxdf_lab::analysis::{Channel, HeldLobe, Subject};
+use bxdf_study::format;
+use bxdf_study::session::{DECADES, EntryId, MaterialEntry, Session};
 
 mod marks;
 

@@ -7,12 +7,12 @@ use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
 use super::{Cursor, ViewContext};
-use crate::study::session::Session;
-use crate::study::session::{HomeView, OrbitCamera};
-use crate::ui::scene3d::{self, Projection as _, SceneView};
-use crate::ui::theme::{Dash, rgba};
-use crate::ui::widgets::legend::{self, Sample};
-use crate::ui::widgets::{draw, handle, reset};
+use crate::scene3d::{self, Projection as _, SceneView};
+use crate::theme::{Dash, rgba};
+use crate::widgets::legend::{self, Sample};
+use crate::widgets::{draw, handle, reset};
+use bxdf_study::session::Session;
+use bxdf_study::session::{HomeView, OrbitCamera};
 use sketch::Sketch;
 use surface::Lobes;
 

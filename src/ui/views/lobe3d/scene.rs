@@ -8,15 +8,15 @@ use glam::{DVec3, Vec3};
 use super::super::ViewContext;
 use super::surface::{Lobes, Part};
 use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
-use crate::analysis::Channel;
-use crate::analysis::lobe::Arrow;
-use crate::analysis::lobe3d::Mesh;
-use crate::bxdf::math::frame;
-use crate::study::memo::{Memo, Same};
-use crate::study::session::OrbitCamera;
-use crate::study::session::{EntryId, MaterialEntry, Session};
-use crate::ui::scene3d::Scene;
-use crate::ui::theme::{Palette, rgba};
+use crate::scene3d::Scene;
+use crate::theme::{Palette, rgba};
+use bxdf::math::frame;
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::lobe::Arrow;
+use bxdf_lab::analysis::lobe3d::Mesh;
+use bxdf_study::memo::{Memo, Same};
+use bxdf_study::session::OrbitCamera;
+use bxdf_study::session::{EntryId, MaterialEntry, Session};
 
 /// Brush lines to either side of the middle one.
 const BRUSH_LINES: i32 = 6;

@@ -7,14 +7,14 @@ use glam::Vec3;
 
 use super::surface::Lobes;
 use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
-use crate::analysis::{Channel, RadialScale};
-use crate::bxdf::math::frame;
-use crate::study::format;
-use crate::study::session::OrbitCamera;
-use crate::study::session::Session;
-use crate::ui::scene3d::{Projection as _, Ray};
-use crate::ui::theme::{self, Palette};
-use crate::ui::widgets::{deltas, draw};
+use crate::scene3d::{Projection as _, Ray};
+use crate::theme::{self, Palette};
+use crate::widgets::{deltas, draw};
+use bxdf::math::frame;
+use bxdf_lab::analysis::{Channel, RadialScale};
+use bxdf_study::format;
+use bxdf_study::session::OrbitCamera;
+use bxdf_study::session::Session;
 
 /// Spacing of the labels of the degree grid.
 const GRID_STEP_DEG: f64 = 30.0;

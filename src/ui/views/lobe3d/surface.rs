@@ -5,12 +5,12 @@ use std::sync::Arc;
 use egui::Color32;
 use glam::Vec3;
 
-use crate::analysis::Channel;
-use crate::analysis::lobe::Arrow;
-use crate::analysis::lobe3d::{self, Mesh};
-use crate::study::session::{EntryId, LobeSurface, Session};
-use crate::ui::scene3d::{Ray, Rgba, Scene, Surface, Vertex};
-use crate::ui::theme;
+use crate::scene3d::{Ray, Rgba, Scene, Surface, Vertex};
+use crate::theme;
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::lobe::Arrow;
+use bxdf_lab::analysis::lobe3d::{self, Mesh};
+use bxdf_study::session::{EntryId, LobeSurface, Session};
 
 /// The largest radius of the lobe: a little less than the dome's, or the two surfaces would flicker into each other.
 const LARGEST_RADIUS: f64 = 0.96;
@@ -291,8 +291,8 @@ impl DrawnLobe {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::data::Data;
-    use crate::study::session::MaterialEntry;
+    use bxdf_study::data::Data;
+    use bxdf_study::session::MaterialEntry;
 
     fn lobes(session: &Session) -> Lobes {
         let mut data = Data::new(None, || {});

@@ -7,13 +7,13 @@ use egui::{Align2, Color32, Pos2, Rect, Stroke, Ui, vec2};
 use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
 use super::radial::{Radial, at};
-use crate::analysis::Channel;
-use crate::analysis::polar::{self, Point, Section};
-use crate::study::format;
-use crate::study::session::{Curves, Session, Slot};
-use crate::ui::theme;
-use crate::ui::theme::Dash;
-use crate::ui::widgets::{chart, deltas, draw};
+use crate::theme;
+use crate::theme::Dash;
+use crate::widgets::{chart, deltas, draw};
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::polar::{self, Point, Section};
+use bxdf_study::format;
+use bxdf_study::session::{Curves, Session, Slot};
 
 /// Radius of the angle labels.
 const ANGLE_LABEL_RADIUS: f64 = 1.075;

@@ -4,11 +4,11 @@ use egui::{IdSalt, Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::{Cursor, ViewContext};
-use crate::analysis::{deltas, polar};
-use crate::study::session::{MaterialEntry, wrapped_deg};
-use crate::ui::theme::Dash;
-use crate::ui::widgets::legend::{self, Sample};
-use crate::ui::widgets::{draw, handle, reset};
+use crate::theme::Dash;
+use crate::widgets::legend::{self, Sample};
+use crate::widgets::{draw, handle, reset};
+use bxdf_lab::analysis::{deltas, polar};
+use bxdf_study::session::{MaterialEntry, wrapped_deg};
 use canvas::{Canvas, Plotted};
 use radial::{Radial, at};
 

@@ -1,9 +1,9 @@
 //! The radial scale of the plot: which value has which radius, and which radii have a ring.
 
-use crate::analysis::RadialScale;
-use crate::analysis::polar::{Point, Section};
-use crate::study::format;
-use crate::study::session::Session;
+use bxdf_lab::analysis::RadialScale;
+use bxdf_lab::analysis::polar::{Point, Section};
+use bxdf_study::format;
+use bxdf_study::session::Session;
 
 /// The radial scale with the value at the unit circle.
 pub(super) struct Radial {

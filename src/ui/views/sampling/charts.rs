@@ -4,12 +4,12 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 
 use super::super::{self as views, ViewContext};
 use super::{color_of, studies};
-use crate::analysis::deltas;
-use crate::study::format;
-use crate::ui::theme::{self, Dash};
-use crate::ui::widgets::chart::{self, Axis, Band, Chart, Series};
-use crate::ui::widgets::legend::{self, Sample};
-use crate::ui::widgets::{deltas as labels, draw};
+use crate::theme::{self, Dash};
+use crate::widgets::chart::{self, Axis, Band, Chart, Series};
+use crate::widgets::legend::{self, Sample};
+use crate::widgets::{deltas as labels, draw};
+use bxdf_lab::analysis::deltas;
+use bxdf_study::format;
 
 /// The density and f cos over its integral, in the section.
 pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
@@ -27,7 +27,7 @@ pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
             String::new()
         };
         let line =
-            |name: &str, dash, of: &dyn Fn(&crate::analysis::sampling::Density) -> f64| Series {
+            |name: &str, dash, of: &dyn Fn(&bxdf_lab::analysis::sampling::Density) -> f64| Series {
                 name: format!("{title}{name}"),
                 color: color_of(cx, *entry),
                 dash,

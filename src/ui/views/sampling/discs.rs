@@ -8,17 +8,17 @@ use glam::DVec3;
 
 use super::super::ViewContext;
 use super::color_of;
-use crate::analysis::hemisphere::Projection;
-use crate::analysis::raster::Raster;
-use crate::analysis::sampling::{Cell as Bin, Histogram, Warp};
-use crate::bxdf::math::frame;
-use crate::study::format;
-use crate::study::session::OrbitCamera;
-use crate::study::session::{EntryId, MaterialEntry, SamplingPlot, Session};
-use crate::ui::scene3d::Projection as _;
-use crate::ui::theme::Palette;
-use crate::ui::widgets::draw;
-use crate::ui::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
+use crate::scene3d::Projection as _;
+use crate::theme::Palette;
+use crate::widgets::draw;
+use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
+use bxdf::math::frame;
+use bxdf_lab::analysis::hemisphere::Projection;
+use bxdf_lab::analysis::raster::Raster;
+use bxdf_lab::analysis::sampling::{Cell as Bin, Histogram, Warp};
+use bxdf_study::format;
+use bxdf_study::session::OrbitCamera;
+use bxdf_study::session::{EntryId, MaterialEntry, SamplingPlot, Session};
 
 /// How directions lie on the discs.
 const DISC: Projection = Projection::EqualArea;

@@ -5,13 +5,13 @@ use std::sync::Arc;
 use egui::{Color32, Ui};
 
 use super::ViewContext;
-use crate::analysis::sampling::Study;
-use crate::study::number::NumberSpec;
-use crate::study::session::{
+use crate::widgets::number::Number;
+use crate::widgets::{choice, draw};
+use bxdf_lab::analysis::sampling::Study;
+use bxdf_study::number::NumberSpec;
+use bxdf_study::session::{
     EntryId, MaterialEntry, SAMPLES_LOG2, SEED, SamplingOptions, SamplingPlot, Session,
 };
-use crate::ui::widgets::number::Number;
-use crate::ui::widgets::{choice, draw};
 
 mod charts;
 mod discs;

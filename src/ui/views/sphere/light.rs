@@ -5,11 +5,11 @@ use glam::DVec3;
 
 use super::super::ViewContext;
 use super::position;
-use crate::analysis::sphere::{self, Light};
-use crate::analysis::{Channel, Subject};
-use crate::bxdf::math::frame;
-use crate::study::session::{EntryId, LIGHT_PHI, LIGHT_THETA, Session};
-use crate::ui::widgets::{deltas, handle, pictures};
+use crate::widgets::{deltas, handle, pictures};
+use bxdf::math::frame;
+use bxdf_lab::analysis::sphere::{self, Light};
+use bxdf_lab::analysis::{Channel, Subject};
+use bxdf_study::session::{EntryId, LIGHT_PHI, LIGHT_THETA, Session};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.
 const BEHIND: f64 = 0.3;

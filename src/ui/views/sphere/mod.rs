@@ -6,15 +6,15 @@ use egui::{Align2, ColorImage, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo
 use glam::DVec3;
 
 use super::ViewContext;
-use crate::analysis::Channel;
-use crate::analysis::half_difference::Spherical;
-use crate::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
-use crate::study::format;
-use crate::study::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
-use crate::ui::theme;
-use crate::ui::widgets::number::Number;
-use crate::ui::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
-use crate::ui::widgets::{choice, draw};
+use crate::theme;
+use crate::widgets::number::Number;
+use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
+use crate::widgets::{choice, draw};
+use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::half_difference::Spherical;
+use bxdf_lab::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
+use bxdf_study::format;
+use bxdf_study::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
 
 mod light;
 

@@ -3,11 +3,11 @@
 use egui::{RichText, Ui};
 
 use super::ViewContext;
-use crate::lab::trial::{Outcome, TRIALS, Trial};
-use crate::study::format;
-use crate::ui::theme::{self, Dash};
-use crate::ui::widgets::chart::{Axis, Chart, Series};
-use crate::ui::widgets::draw;
+use crate::theme::{self, Dash};
+use crate::widgets::chart::{Axis, Chart, Series};
+use crate::widgets::draw;
+use bxdf_lab::trial::{Outcome, TRIALS, Trial};
+use bxdf_study::format;
 
 /// Values tried along the parameter.
 const COUNT: usize = 240;

@@ -6,15 +6,15 @@ use egui::{Align2, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2}
 use glam::DVec3;
 
 use super::{ViewContext, go_to};
-use crate::analysis::hemisphere::contour;
-use crate::bxdf::math::Real as _;
-use crate::lab::stability::map::{Axis, Cell, Map, Request};
-use crate::study::format;
-use crate::study::memo::Same;
-use crate::study::session::ErrorUnit;
-use crate::ui::theme::Palette;
-use crate::ui::widgets::draw;
-use crate::ui::widgets::pictures::{self, ColorScale, ScaleKind};
+use crate::theme::Palette;
+use crate::widgets::draw;
+use crate::widgets::pictures::{self, ColorScale, ScaleKind};
+use bxdf::math::Real as _;
+use bxdf_lab::analysis::hemisphere::contour;
+use bxdf_lab::stability::map::{Axis, Cell, Map, Request};
+use bxdf_study::format;
+use bxdf_study::memo::Same;
+use bxdf_study::session::ErrorUnit;
 
 /// The precisions, from the left.
 const PRECISIONS: [&str; 2] = ["f32", "f64"];

@@ -7,12 +7,12 @@ mod worst;
 use egui::{RichText, Ui};
 
 use super::{Cursor, ViewContext};
-use crate::lab::contract::Witness;
-use crate::lab::stability::map::Axis;
-use crate::lab::trial::TRIALS;
-use crate::study::session::{ErrorUnit, Session, StabilityPlot};
-use crate::ui::theme;
-use crate::ui::widgets::{choice, draw};
+use crate::theme;
+use crate::widgets::{choice, draw};
+use bxdf_lab::contract::Witness;
+use bxdf_lab::stability::map::Axis;
+use bxdf_lab::trial::TRIALS;
+use bxdf_study::session::{ErrorUnit, Session, StabilityPlot};
 
 /// The list entry.
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {

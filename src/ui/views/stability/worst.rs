@@ -3,8 +3,8 @@
 use egui::{RichText, ScrollArea, Ui};
 
 use super::{ViewContext, go_to};
-use crate::lab::stability::{Extreme, Ranking};
-use crate::study::format;
+use bxdf_lab::stability::{Extreme, Ranking};
+use bxdf_study::format;
 
 /// Rows of the list.
 const ROWS: usize = 12;
@@ -90,7 +90,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 
 /// A direction by its angles.
 fn place(w: glam::DVec3) -> String {
-    use crate::bxdf::math::frame;
+    use bxdf::math::frame;
     let [theta, phi] = [frame::theta(w), frame::phi(w)].map(f64::to_degrees);
     format!("({}, {})", format::degrees(theta), format::degrees(phi))
 }

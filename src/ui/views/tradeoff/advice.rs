@@ -3,11 +3,11 @@
 use egui::{RichText, ScrollArea, Ui};
 
 use super::{ViewContext, choose, plot};
-use crate::bxdf::Material;
-use crate::lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
-use crate::study::export::Format;
-use crate::study::format;
-use crate::study::session::ViewId;
+use bxdf::Material;
+use bxdf_lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
+use bxdf_study::export::Format;
+use bxdf_study::format;
+use bxdf_study::session::ViewId;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
     let tolerance = cx.session.views.tradeoff.tolerance;

@@ -6,15 +6,15 @@ mod plot;
 use egui::{ProgressBar, RichText, Ui};
 
 use super::{Cursor, ViewContext};
-use crate::analysis::hemisphere::Comparison;
-use crate::bxdf::Material;
-use crate::lab::contract::Witness;
-use crate::lab::tradeoff::{FAMILIES, Point};
-use crate::study::measured::{Run, State};
-use crate::study::session::{EntryId, MaterialEntry, Materials, TOLERANCE};
-use crate::ui::theme::{self, Palette};
-use crate::ui::widgets::number::Number;
-use crate::ui::widgets::{choice, draw};
+use crate::theme::{self, Palette};
+use crate::widgets::number::Number;
+use crate::widgets::{choice, draw};
+use bxdf::Material;
+use bxdf_lab::analysis::hemisphere::Comparison;
+use bxdf_lab::contract::Witness;
+use bxdf_lab::tradeoff::{FAMILIES, Point};
+use bxdf_study::measured::{Run, State};
+use bxdf_study::session::{EntryId, MaterialEntry, Materials, TOLERANCE};
 
 /// The list entry.
 /// The choice last clicked at: its family and its place there.

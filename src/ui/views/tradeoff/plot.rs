@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 use egui::{Rect, Sense, Ui, vec2};
 
 use super::{ViewContext, choose, look};
-use crate::lab::tradeoff::{FAMILIES, FamilyReport, Point, Report};
-use crate::study::format;
-use crate::study::session::TOLERANCE;
-use crate::ui::theme::{self, Dash, Palette};
-use crate::ui::widgets::chart::{Axis, Chart, Dots, Mark, Series};
-use crate::ui::widgets::{draw, handle};
+use crate::theme::{self, Dash, Palette};
+use crate::widgets::chart::{Axis, Chart, Dots, Mark, Series};
+use crate::widgets::{draw, handle};
+use bxdf_lab::tradeoff::{FAMILIES, FamilyReport, Point, Report};
+use bxdf_study::format;
+use bxdf_study::session::TOLERANCE;
 
 /// Where an error of exactly 0 is drawn.
 const ZERO: f64 = 1e-16;
@@ -161,7 +161,7 @@ fn drag_tolerance(
     ui: &Ui,
     cx: &mut ViewContext<'_>,
     chart: &Chart,
-    shown: &crate::ui::widgets::chart::Shown,
+    shown: &crate::widgets::chart::Shown,
 ) {
     let tolerance = cx.session.views.tradeoff.tolerance;
     let frame = shown.frame();

@@ -2,7 +2,7 @@
 
 use egui_plot::{AxisHints, GridMark};
 
-use crate::study::format;
+use bxdf_study::format;
 
 /// Room above the highest curve, as a share of the height.
 pub(super) const TOP_ROOM: f64 = 0.12;

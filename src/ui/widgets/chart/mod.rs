@@ -9,9 +9,9 @@ use egui_plot::{
 };
 
 use super::{choice, deltas, draw, reset};
-use crate::study::format;
-use crate::ui::theme::{self, Palette};
+use crate::theme::{self, Palette};
 pub use axis::Axis;
+use bxdf_study::format;
 pub use series::{Band, Dots, Mark, Series, Stem, style};
 
 mod axis;

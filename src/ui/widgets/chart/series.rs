@@ -3,7 +3,7 @@
 use egui::Color32;
 use egui_plot::{LineStyle, MarkerShape};
 
-use crate::ui::theme::Dash;
+use crate::theme::Dash;
 
 /// A curve, perhaps in several pieces.
 #[derive(Clone, Debug, PartialEq)]

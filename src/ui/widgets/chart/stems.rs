@@ -5,7 +5,7 @@ use egui::{Align2, Pos2, Rect, Ui, vec2};
 use super::axis::TOP_ROOM;
 use super::series::Series;
 use super::{Chart, Shown, Stem, deltas, draw};
-use crate::ui::theme::Palette;
+use crate::theme::Palette;
 
 /// The shares written at the right, where values have another scale.
 const TICKS: [f64; 2] = [0.5, 1.0];

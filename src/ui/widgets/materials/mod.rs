@@ -2,11 +2,11 @@
 
 use egui::{Id, Key, Modifiers, Rect, ScrollArea, Ui, UiBuilder};
 
-use crate::error::Result;
-use crate::lab::contract::Witness;
-use crate::study::data::Data;
-use crate::study::session::{EntryId, Materials};
-use crate::ui::theme::{self, Palette};
+use crate::theme::{self, Palette};
+use bxdf::error::Result;
+use bxdf_lab::contract::Witness;
+use bxdf_study::data::Data;
+use bxdf_study::session::{EntryId, Materials};
 use row::Row;
 
 mod row;
@@ -54,7 +54,7 @@ impl MaterialList {
     /// The list; it changes `materials`. Returns the place to go to where a badge is clicked: its material is selected.
     ///
     /// # Errors
-    /// [`crate::Error::Limit`] where there are as many materials as a session has.
+    /// [`bxdf::Error::Limit`] where there are as many materials as a session has.
     pub fn show(
         &mut self,
         ui: &mut Ui,

@@ -7,11 +7,11 @@ use egui::{
 };
 
 use super::{Action, grip_id, is_pressed};
-use crate::study::data::Data;
-use crate::study::session::{MaterialEntry, Materials};
-use crate::ui::theme::{self, Dash, Palette};
-use crate::ui::widgets::badges::Badges;
-use crate::ui::widgets::draw;
+use crate::theme::{self, Dash, Palette};
+use crate::widgets::badges::Badges;
+use crate::widgets::draw;
+use bxdf_study::data::Data;
+use bxdf_study::session::{MaterialEntry, Materials};
 
 /// A row, about to be shown.
 pub(super) struct Row<'a> {

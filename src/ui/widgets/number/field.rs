@@ -10,8 +10,8 @@ use egui::{
 
 use super::work::{self, Work};
 use super::{LOGARITHMIC_SPEED, Number, Shown, late};
-use crate::study::number::plain;
-use crate::ui::theme;
+use crate::theme;
+use bxdf_study::number::plain;
 
 /// With Shift a drag is slower by this factor.
 const SLOW: f64 = 0.1;

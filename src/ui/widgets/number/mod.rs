@@ -5,8 +5,8 @@
 
 use egui::{Response, RichText, Slider, SliderClamping, Ui, accesskit};
 
-use crate::study::format;
-use crate::study::number::{NumberSpec, plain};
+use bxdf_study::format;
+use bxdf_study::number::{NumberSpec, plain};
 
 mod field;
 mod late;
@@ -93,7 +93,7 @@ impl<'a> Number<'a> {
     /// The number for a text, or why it is none that is accepted.
     fn read(&self, text: &str) -> Result<f64, String> {
         let allowed = self.spec.allowed();
-        let said = || crate::ui::widgets::draw::clipped(text.trim(), LONGEST_QUOTE);
+        let said = || crate::widgets::draw::clipped(text.trim(), LONGEST_QUOTE);
         let Some(x) = parse::number(text, self.spec.unit) else {
             let what = if text.trim().is_empty() {
                 "An empty text".to_owned()

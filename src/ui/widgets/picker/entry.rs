@@ -1,9 +1,9 @@
 //! What the picker lists: models and named materials.
 
-use crate::bxdf::material::library::{self, Named};
-use crate::bxdf::models::{self, MODELS};
-use crate::bxdf::{Category, Material, ModelSpec};
-use crate::ui::widgets::hits::Known;
+use crate::widgets::hits::Known;
+use bxdf::material::library::{self, Named};
+use bxdf::models::{self, MODELS};
+use bxdf::{Category, Material, ModelSpec};
 
 /// Which list is shown.
 #[derive(Clone, Copy, PartialEq, Eq)]

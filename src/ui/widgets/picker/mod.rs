@@ -7,11 +7,11 @@ use egui::{
 
 use super::hits::{self, Found, Highlight};
 use super::thumbnails::Thumbnails;
-use crate::bxdf::material::library::Named;
-use crate::bxdf::{Material, ModelSpec, Side};
-use crate::error::Result;
-use crate::study::session::{EntryId, MaterialEntry, Materials};
-use crate::ui::theme;
+use crate::theme;
+use bxdf::error::Result;
+use bxdf::material::library::Named;
+use bxdf::{Material, ModelSpec, Side};
+use bxdf_study::session::{EntryId, MaterialEntry, Materials};
 use entry::{Entry, List};
 
 mod entry;
@@ -94,7 +94,7 @@ impl Picker {
     /// adds that.
     ///
     /// # Errors
-    /// [`crate::Error::Limit`] where there are as many materials as a session has.
+    /// [`bxdf::Error::Limit`] where there are as many materials as a session has.
     pub fn show(&mut self, ui: &mut Ui, materials: &mut Materials) -> Result<()> {
         self.follow(materials.selected());
         if self.is_adding {

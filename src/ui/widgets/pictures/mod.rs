@@ -6,9 +6,9 @@ use egui::{
 };
 
 use super::draw;
-use crate::study::format;
-use crate::study::session::{EntryId, Session};
-use crate::ui::theme::{self, Palette};
+use crate::theme::{self, Palette};
+use bxdf_study::format;
+use bxdf_study::session::{EntryId, Session};
 pub use scale::{ColorScale, ScaleKind};
 pub use textures::{Source, Texture, Textures};
 

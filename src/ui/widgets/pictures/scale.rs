@@ -2,9 +2,9 @@
 
 use egui::{Color32, ColorImage};
 
-use crate::analysis::hemisphere::contour;
-use crate::analysis::raster::Raster;
-use crate::ui::theme;
+use crate::theme;
+use bxdf_lab::analysis::hemisphere::contour;
+use bxdf_lab::analysis::raster::Raster;
 
 /// How values become colours.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use num_traits::{Float, FloatConst};
 use xprec::Df64;
 
 use super::*;
-use crate::bxdf::math::Real;
+use crate::math::Real;
 
 /// The function of this name: the polynomial one, and the one of the reference precision.
 fn both(name: &str, x: f32) -> (f32, Df64) {

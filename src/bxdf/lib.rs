@@ -1,0 +1,328 @@
+//! Models of surface reflection: what a BxDF is, and every model. No files, no threads, no clock.
+//!
+//! # Conventions
+//! * **Shading frame**: orthonormal (s, t, n), local x = s, y = t, z = n. theta is measured from n, phi from s in the
+//!   s-t plane. Radians inside, degrees at the screen and the command line.
+//! * **Directions**: `wo` goes to the viewer (given), `wi` to the light (sampled). Both are unit vectors that point
+//!   *away* from the surface, also when the light travels the other way. `wm` is a microfacet normal, `wh` the half
+//!   vector.
+//! * **f(wo, wi)** in 1/sr, without the cosine, for radiance: the radiance leaving along `wo` is the integral of
+//!   f(wo, wi) L(wi) |cos(theta_i)| over `wi`. Across the surface it carries 1/e^2, e being the index of refraction on
+//!   wi's side over that on wo's side; reciprocity reads n_i^2 f(wo, wi) = n_o^2 f(wi, wo).
+//! * **pdf(wo, wi)** is the density of `wi` per solid angle given `wo`.
+//! * **Dirac deltas** are not values: `f` and `pdf` are 0 for them, `sample_f` returns them, and views draw them as
+//!   arrows whose length is the share of the flux.
+//! * **Reflectances** (unit 1): `rho_dh(wi)` = integral of f(wo, wi) |cos(theta_o)| over `wo`, the share of the flux
+//!   arriving along `wi` that leaves; at most 1 where energy is conserved.
+
+pub mod batch;
+pub mod delta_only;
+pub mod error;
+pub mod glossy;
+#[doc(hidden)]
+pub mod internals;
+pub mod material;
+
+pub mod math;
+pub mod microfacet;
+pub mod models;
+pub mod optics;
+pub mod param;
+pub mod rotated;
+pub mod single;
+pub mod spec;
+pub mod table;
+
+pub use error::{Error, Result};
+pub use material::{Component, Material};
+pub use spec::{
+    Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side, StandIn,
+};
+
+use batch::{Job, Path};
+use math::{Real, Vec3};
+use optics::Spectrum;
+
+/// A scattering model at one set of parameters: a BRDF, a BTDF or both, in precision `R`.
+///
+/// All three methods are total: for unit directions they return finite, non-negative values, saturated where the true
+/// value overflows the type. A direction in the horizon plane itself (z = 0) carries nothing: 0, and no sample.
+pub trait Bxdf<R: Real>: Send + Sync {
+    /// The value f(wo, wi) in 1/sr, without the cosine, for radiance. Dirac deltas are not values: they count as 0.
+    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R>;
+
+    /// The density per solid angle with which [`Self::sample_f`] returns `wi` for `wo`, in 1/sr; 0 for deltas.
+    ///
+    /// Its integral over the sphere is the probability that `sample_f` returns a sample that is no delta.
+    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R;
+
+    /// [`Self::f`] and [`Self::pdf`], to the bit, where both are wanted: models compute once what the two share.
+    #[inline(always)]
+    fn f_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> (Spectrum<R>, R) {
+        (self.f(wo, wi), self.pdf(wo, wi))
+    }
+
+    /// A direction of incidence for `wo`: `uc` chooses among lobes, `u` a direction, all uniform in [0, 1).
+    ///
+    /// `None` is "no sample": a random choice that leaves the hemisphere, or total internal reflection.
+    fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>>;
+
+    /// The sample `wi` for `wo`, with its value and its density; see [`Sample::with_density`].
+    #[inline(always)]
+    fn sample_at(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Sample<R>> {
+        let (f, pdf) = self.f_pdf(wo, wi);
+        let sample = Sample {
+            wi,
+            f,
+            pdf,
+            is_delta: false,
+        };
+        sample.with_density()
+    }
+
+    /// The lobes that have a value at these parameters, each of which can be evaluated, drawn and integrated by itself
+    /// under its index. Dirac deltas are not among them.
+    fn lobes(&self) -> &[Lobe] {
+        &[]
+    }
+
+    /// The part of `f` that belongs to the lobe at `index` of [`Self::lobes`], in 1/sr; the parts sum to `f`.
+    ///
+    /// Models with one lobe need not say more than `f`. `index` must be within [`Self::lobes`].
+    #[inline(always)]
+    fn lobe_f(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        self.f(wo, wi)
+    }
+
+    /// The density per solid angle of [`Self::sample_lobe`], in 1/sr.
+    ///
+    /// Models whose `sample_f` needs no choice need not say more than `pdf`.
+    #[inline(always)]
+    fn lobe_pdf(&self, _index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.pdf(wo, wi)
+    }
+
+    /// A direction of incidence for `wo` that follows the lobe at `index` alone: a smooth map of the unit square, so that
+    /// integrals over the lobe are integrals over `u`. `None` where the direction drawn is lost.
+    #[inline(always)]
+    fn sample_lobe(&self, _index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        Some(self.sample_f(wo, R::zero(), u)?.wi)
+    }
+
+    /// The factors of a microfacet model at a pair of directions. `None` for other models, and where there is no
+    /// half vector.
+    fn microfacet(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Option<Microfacet<R>> {
+        None
+    }
+
+    /// Computes `job` for a whole batch: the same results, element by element, in one call.
+    #[inline(always)]
+    fn batch(&self, path: Path, job: Job<'_, R::Stored>) {
+        batch::run(self, path, job);
+    }
+
+    /// The Dirac delta lobes of `w`, at most one to either side; none for most models.
+    fn deltas(&self, _w: Vec3<R>) -> Deltas<R> {
+        [None, None]
+    }
+}
+
+/// The factors of a microfacet lobe: its value is F D G over 4 |cos(theta_o) cos(theta_i)| in reflection.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Microfacet<R> {
+    /// The density of microfacet normals at the half vector, in 1/sr.
+    pub d: R,
+    /// Masking and shadowing together, 0..1.
+    pub g: R,
+    /// The Fresnel factor of a facet: reflectance, or transmittance where the directions are across the surface.
+    pub fresnel: Spectrum<R>,
+}
+
+/// What [`Bxdf::sample_f`] returns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<R> {
+    /// The direction sampled, a unit vector.
+    pub wi: Vec3<R>,
+    /// f(wo, wi) in 1/sr; for a delta its weight over |cos(theta_i)|.
+    pub f: Spectrum<R>,
+    /// The density of `wi` in 1/sr; for a delta the probability of choosing it.
+    pub pdf: R,
+    /// Whether `wi` comes from a Dirac delta.
+    pub is_delta: bool,
+}
+
+impl<R: Real> Sample<R> {
+    /// f |cos(theta_i)| / pdf: what a path's throughput is multiplied by.
+    #[inline(always)]
+    pub fn weight(&self) -> Spectrum<R> {
+        self.f * (self.wi.z.abs() / self.pdf)
+    }
+
+    /// The sample, unless its density has underflown. Where `wo` grazes, a rounded direction may lie so far out in the
+    /// tail of the density, or beyond its edge: such a sample has no weight and is lost.
+    #[must_use]
+    #[inline(always)]
+    pub fn with_density(self) -> Option<Self> {
+        if self.pdf >= R::min_positive_value() {
+            Some(self)
+        } else {
+            None
+        }
+    }
+}
+
+/// A Dirac delta lobe of a direction `w`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Delta<R> {
+    /// Where it points: both where light arriving along `w` leaves, and whence light leaving along `w` came.
+    pub direction: Vec3<R>,
+    /// The share of the flux arriving along `w` that leaves along `direction`.
+    pub flux: Spectrum<R>,
+    /// Radiance along `w` over radiance along `direction`: the flux share over e^2, e being the index on
+    /// `direction`'s side over that on `w`'s side; f |cos(theta_i)| of the delta.
+    pub weight: Spectrum<R>,
+    /// The probability with which [`Bxdf::sample_f`] chooses it.
+    pub probability: R,
+    /// To which side it goes.
+    pub side: Side,
+}
+
+/// The deltas of a direction; models have at most one to either side.
+pub type Deltas<R> = [Option<Delta<R>>; 2];
+
+impl<R: Real> Delta<R> {
+    /// The sample that stands for this delta.
+    #[inline(always)]
+    pub fn sample(&self) -> Sample<R> {
+        let cos = self.direction.z.abs().at_least(R::min_positive_value());
+        Sample {
+            wi: self.direction,
+            f: self.weight.map(|weight| (weight / cos).saturated()),
+            pdf: self.probability,
+            is_delta: true,
+        }
+    }
+}
+
+/// The sample of one of `deltas`, chosen by `uc` with their probabilities. `None` where they leave a rest and `uc`
+/// falls into it.
+#[inline(always)]
+pub fn sample_deltas<R: Real>(deltas: Deltas<R>, uc: R) -> Option<Sample<R>> {
+    // Written out: an inner loop would keep a batch's from being vectorised.
+    let [first, second] = deltas;
+    let rest = match first {
+        Some(delta) if uc < delta.probability => return Some(delta.sample()),
+        Some(delta) => uc - delta.probability,
+        None => uc,
+    };
+    match second {
+        Some(delta) if rest < delta.probability => Some(delta.sample()),
+        _ => None,
+    }
+}
+
+/// `wo` and `wi` above the surface, for a two-sided reflection model: mirrored in the surface where both are below.
+///
+/// `None` where they are on different sides, or one of them lies in the horizon plane.
+#[inline(always)]
+pub fn both_above<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> Option<(Vec3<R>, Vec3<R>)> {
+    let zero = R::zero();
+    if wo.z > zero && wi.z > zero {
+        Some((wo, wi))
+    } else if wo.z < zero && wi.z < zero {
+        Some((wo.mirrored_in_surface(), wi.mirrored_in_surface()))
+    } else {
+        None
+    }
+}
+
+/// Whether `wo` and `wi` lie strictly on different sides of the surface.
+#[inline(always)]
+pub fn are_across<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> bool {
+    let zero = R::zero();
+    (wo.z > zero && wi.z < zero) || (wo.z < zero && wi.z > zero)
+}
+
+/// Samples a two-sided reflection model whose `sample_above` draws `wi` for a `wo` above the surface; see
+/// [`reflected_direction`].
+#[inline(always)]
+pub fn sample_reflection<R: Real>(
+    model: &impl Bxdf<R>,
+    wo: Vec3<R>,
+    sample_above: impl FnOnce(Vec3<R>) -> Option<Vec3<R>>,
+) -> Option<Sample<R>> {
+    let wi = reflected_direction(wo, sample_above)?;
+    model.sample_at(wo, wi)
+}
+
+/// The direction on the side of `wo` that `sample_above` draws for a `wo` above the surface, mirrored where it is below.
+///
+/// `None` where `wo` lies in the horizon plane, and where the direction drawn is not above it.
+#[inline(always)]
+pub fn reflected_direction<R: Real>(
+    wo: Vec3<R>,
+    sample_above: impl FnOnce(Vec3<R>) -> Option<Vec3<R>>,
+) -> Option<Vec3<R>> {
+    let zero = R::zero();
+    let is_above = wo.z > zero;
+    let wo_above = if is_above {
+        wo
+    } else {
+        wo.mirrored_in_surface()
+    };
+    if wo_above.z <= zero || wo_above.z.is_nan() {
+        return None;
+    }
+    let wi_above = sample_above(wo_above)?;
+    let wi = if is_above {
+        wi_above
+    } else {
+        wi_above.mirrored_in_surface()
+    };
+    if wi_above.z > zero { Some(wi) } else { None }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_sided_models_see_both_directions_above() {
+        let up = Vec3::new(0.6_f32, 0.0, 0.8);
+        let tiny = Vec3::new(1.0_f32, 0.0, 1e-38);
+        assert_eq!(
+            both_above(-up, -tiny),
+            Some((Vec3::new(-0.6, 0.0, 0.8), Vec3::new(-1.0, 0.0, 1e-38)))
+        );
+        assert_eq!(both_above(up, Vec3::new(1.0, 0.0, 0.0)), None);
+        // The product of these cosines underflows; the signs do not.
+        assert!(both_above(tiny, tiny).is_some() && are_across(tiny, -tiny));
+    }
+
+    #[test]
+    fn deltas_are_chosen_by_their_probability() {
+        let delta = |z: f64, probability: f64| {
+            let spectrum = Spectrum::grey(probability);
+            let side = if z > 0.0 {
+                Side::Reflection
+            } else {
+                Side::Transmission
+            };
+            Some(Delta {
+                direction: Vec3::new(0.0, 0.0, z),
+                flux: spectrum,
+                weight: spectrum,
+                probability,
+                side,
+            })
+        };
+        let deltas = [delta(1.0, 0.25), delta(-1.0, 0.5)];
+        assert!(
+            sample_deltas(deltas, 0.2).is_some_and(|s| s.wi.z > 0.0 && s.pdf == 0.25 && s.is_delta)
+        );
+        assert!(
+            sample_deltas(deltas, 0.3).is_some_and(|s| s.wi.z < 0.0 && s.weight().0 == [1.0; 3])
+        );
+        assert!(sample_deltas(deltas, 0.8).is_none());
+    }
+}

@@ -1,0 +1,220 @@
+//! What `sample_f` does for the held direction, which stands in wo's place whichever is held: its samples, how they are
+//! distributed and what they weigh, and what they are worth against samples that do not know the lobe.
+
+mod draws;
+mod estimator;
+mod histogram;
+pub mod warp;
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::polar::{self, section};
+use super::scale::RadialScale;
+use super::{Detail, HeldLobe, IsWanted, Question, Subject};
+use bxdf::optics::spectrum::luminance;
+
+pub use draws::{CHUNK, Draw, Draws, FIRST_SEED};
+pub use estimator::Estimator;
+pub use histogram::{Cell, Histogram, WeightBin, WeightHistogram};
+pub use warp::{Warp, WarpRequest};
+
+/// What of a study is wanted: the rest is left empty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    All,
+    /// The samples alone.
+    Points,
+    /// The samples and how they are distributed.
+    Histogram,
+    /// The samples and what they weigh.
+    Weights,
+    /// The density against f |cos(theta)|.
+    Densities,
+    /// The estimates.
+    Estimators,
+}
+
+/// What a study takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Request {
+    /// What of it is wanted.
+    pub part: Part,
+    /// How many samples are drawn.
+    pub count: usize,
+    /// The seed of the random numbers: the same seed gives the same samples.
+    pub seed: u64,
+    /// The azimuth of the section in which densities are compared, in radians.
+    pub phi: f64,
+}
+
+/// A sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The numbers that chose the direction, in [0, 1).
+    pub u: [f64; 2],
+    /// The number that chose the lobe, in [0, 1).
+    pub uc: f64,
+    /// The direction drawn, a unit vector.
+    pub direction: DVec3,
+    /// f |cos(theta)| / pdf, per channel.
+    pub weight: [f64; 3],
+    /// Whether it comes from a Dirac delta.
+    pub is_delta: bool,
+}
+
+/// What a section shows of the sampler in one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Density {
+    /// The signed angle from n, -180..180, positive towards the section's azimuth.
+    pub angle_deg: f64,
+    /// The density of the sampler, in 1/sr.
+    pub pdf: f64,
+    /// The luminance of f |cos(theta)| over its integral over the sphere, in 1/sr: the density of a sampler whose
+    /// weights have all one luminance.
+    pub f_cos: f64,
+}
+
+/// What the samples of a held direction are like.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Study {
+    /// The samples, lost ones left out.
+    pub points: Vec<Point>,
+    /// How many of the draws gave no sample.
+    pub lost: usize,
+    /// How they are distributed, against the density.
+    pub histogram: Histogram,
+    /// What they weigh.
+    pub weights: WeightHistogram,
+    /// The density against f |cos(theta)| in a section, by angle; empty where f is 0 all over the section.
+    pub densities: Vec<Density>,
+    /// Three estimates of one integral: by `sample_f`, by cosine-weighted directions, by uniform ones.
+    pub estimators: [Estimator; 3],
+}
+
+/// The coarse study has a sixteenth of the samples.
+const COARSER: usize = 16;
+
+impl Question for Request {
+    type Answer = Study;
+
+    const FIRST: Detail = Detail::Coarse;
+
+    fn answer(
+        &self,
+        subject: &Subject<'_>,
+        detail: Detail,
+        is_wanted: IsWanted<'_>,
+    ) -> Option<Study> {
+        let lobe = subject.lobe.as_sampled();
+        let count = match detail {
+            Detail::Coarse => self.count.div_ceil(COARSER),
+            Detail::Full => self.count,
+        };
+        let Samples { points, lost } = drawn(&lobe, count, self.seed, is_wanted)?;
+        let wants = |part: Part| self.part == Part::All || self.part == part;
+        let mut study = Study::default();
+        if wants(Part::Histogram) {
+            study.histogram = Histogram::new(&lobe, &points, lost, self.seed, is_wanted)?;
+        }
+        if wants(Part::Densities) {
+            study.densities = densities(&lobe, self.phi);
+        }
+        if wants(Part::Weights) {
+            study.weights = WeightHistogram::new(&points, lost);
+        }
+        if wants(Part::Estimators) {
+            study.estimators = estimator::all(&lobe, &points, count, self.seed);
+        }
+        (study.lost, study.points) = (lost, points);
+        is_wanted().then_some(study)
+    }
+}
+
+/// Samples, and how many draws gave none.
+struct Samples {
+    points: Vec<Point>,
+    lost: usize,
+}
+
+/// `count` draws of `sample_f` for the direction held by `lobe`; `None` where they were not wanted to the end.
+fn drawn(lobe: &HeldLobe<'_>, count: usize, seed: u64, is_wanted: IsWanted<'_>) -> Option<Samples> {
+    let chunk = |index: usize| {
+        let first = index * CHUNK;
+        let size = CHUNK.min(count - first);
+        is_wanted().then(|| chunk(lobe, seed, first as u64, size))
+    };
+    let chunks = (0..count.div_ceil(CHUNK)).into_par_iter().map(chunk);
+    let chunks: Vec<Vec<Point>> = chunks.collect::<Option<_>>()?;
+    let points: Vec<Point> = chunks.into_iter().flatten().collect();
+    Some(Samples {
+        lost: count - points.len(),
+        points,
+    })
+}
+
+/// The samples of `count` draws from number `first` on.
+fn chunk(lobe: &HeldLobe<'_>, seed: u64, first: u64, count: usize) -> Vec<Point> {
+    let draws = Draws::new(lobe.surface(), lobe.held().into(), seed, first, count);
+    let found = draws.iter().filter(|draw| !draw.is_lost());
+    let point = |draw: Draw<f64>| Point {
+        u: draw.u,
+        uc: draw.uc,
+        direction: draw.wi.into(),
+        weight: draw.f.map(|f| f * draw.wi.z.abs() / draw.pdf),
+        is_delta: draw.is_delta,
+    };
+    found.map(point).collect()
+}
+
+/// The luminance of the integral of f |cos(theta)| over the sphere, without deltas.
+fn integral(lobe: &HeldLobe<'_>) -> f64 {
+    let integrals = lobe.integrals(INTEGRAL_TOLERANCE, INTEGRAL_EVALUATIONS);
+    let luminances = integrals
+        .into_iter()
+        .map(|integral| luminance(integral.value));
+    luminances.sum()
+}
+
+/// Absolute error of an integral that curves are divided by, and how many values it may take.
+const INTEGRAL_TOLERANCE: f64 = 1e-4;
+const INTEGRAL_EVALUATIONS: usize = 100_000;
+
+/// The density and f |cos(theta)| in the section at azimuth `phi`, at the angles at which the polar curve is fine enough.
+fn densities(lobe: &HeldLobe<'_>, phi: f64) -> Vec<Density> {
+    let request = polar::Request {
+        phi,
+        with_cosine: true,
+        scale: RadialScale::Linear,
+    };
+    let polar::Section { upper, lower, .. } = section(lobe, &request);
+    let integral = integral(lobe);
+    let arc = |points: Vec<polar::Point>, is_upper: bool| {
+        let directions = points
+            .iter()
+            .map(|point| polar::direction(point.angle, phi));
+        let densities = lobe.densities_or_limits(&directions.collect::<Vec<_>>(), is_upper);
+        let all = points.into_iter().zip(densities);
+        all.map(|(point, pdf)| Density {
+            angle_deg: point.angle.to_degrees(),
+            pdf,
+            f_cos: if integral > 0.0 {
+                luminance(point.value) / integral
+            } else {
+                0.0
+            },
+        })
+        .collect::<Vec<_>>()
+    };
+    // The arc below runs from -90 over 180 to 90 degrees.
+    let (negative, positive): (Vec<_>, Vec<_>) = arc(lower, false)
+        .into_iter()
+        .partition(|density| density.angle_deg < 0.0);
+    let negative = negative.into_iter().rev();
+    let positive = positive.into_iter().rev();
+    negative.chain(arc(upper, true)).chain(positive).collect()
+}
+
+#[cfg(test)]
+mod tests;

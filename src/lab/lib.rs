@@ -1,0 +1,13 @@
+//! Instruments: what holds of a model, and how exactly.
+
+pub mod analysis;
+pub mod contract;
+pub mod control;
+pub mod rounding;
+pub mod spectral;
+pub mod speed;
+pub mod stability;
+pub mod subject;
+pub mod timing;
+pub mod tradeoff;
+pub mod trial;

@@ -1,0 +1,20 @@
+//! The document a person works on, and the answers to it: the session with its history and files, the kinds of views, the
+//! jobs that answer what views ask. No window is known here.
+
+pub mod colors;
+pub mod cursor;
+pub mod data;
+pub mod encoding;
+pub mod export;
+pub mod files;
+pub mod format;
+pub mod history;
+pub mod jobs;
+pub mod measured;
+pub mod memo;
+pub mod number;
+pub mod parallel;
+pub mod platform;
+pub mod session;
+pub mod store;
+pub mod views;

@@ -1,0 +1,20 @@
+//! The window, and pictures of it. The only module that knows egui.
+
+pub mod app;
+pub mod commands;
+#[cfg(not(target_arch = "wasm32"))]
+mod dialogs;
+pub mod export;
+pub mod headless;
+pub mod pacing;
+pub mod scene3d;
+mod shell;
+pub mod theme;
+pub mod tiles;
+pub mod views;
+pub mod widgets;
+#[cfg(not(target_arch = "wasm32"))]
+mod window;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use window::run;

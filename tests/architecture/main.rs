@@ -1,0 +1,342 @@
+//! The shape of the source: which module may name which, what stands in which file, what is cited.
+
+#![allow(clippy::unwrap_used, reason = "a test stops at what it did not expect")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use brdf_explorer::bxdf::models::MODELS;
+
+mod imports;
+
+/// The packages, by their folders, each after those that it may name: cargo keeps that order, and `src/` itself, the program,
+/// is the last. Within them a file names only files that do not lead back to it.
+const PACKAGES: [&str; 5] = ["src/bxdf/", "src/lab/", "src/study/", "src/ui/", "src/"];
+
+/// The only package that knows the window.
+const WINDOW: &str = "src/ui/";
+
+/// The longest source file, in lines: beyond it a file is more than one thing.
+const MAX_LINES: usize = 400;
+
+/// What the model core does without: files, threads, clocks, the process it runs in.
+const STD_MODULES_NOT_IN_BXDF: [&str; 6] = ["env", "fs", "net", "process", "thread", "time"];
+
+struct SourceFile {
+    /// Relative to the root of the repository, with forward slashes.
+    path: String,
+    text: String,
+}
+
+impl SourceFile {
+    /// The text without comments.
+    fn code(&self) -> String {
+        let lines = self.text.lines();
+        lines
+            .map(|line| line.split_once("//").map_or(line, |(code, _)| code))
+            .fold(String::new(), |code, line| code + line + "\n")
+    }
+
+    /// The comments only.
+    fn comments(&self) -> String {
+        let lines = self.text.lines();
+        lines
+            .filter_map(|line| line.split_once("//"))
+            .fold(String::new(), |text, (_, comment)| text + comment + "\n")
+    }
+
+    /// The code without its tests.
+    fn tested(&self) -> String {
+        let code = self.code();
+        let mut rest = code.as_str();
+        let mut kept = String::new();
+        while let Some((before, tests)) = rest.split_once("#[cfg(test)]\nmod ") {
+            kept.push_str(before);
+            // A module in a file of its own ends with its line, else where nothing is indented any more.
+            let (line, after) = tests.split_once('\n').unwrap_or((tests, ""));
+            rest = if line.ends_with(';') {
+                after
+            } else {
+                after.split_once("\n}\n").map_or("", |(_, after)| after)
+            };
+        }
+        kept + rest
+    }
+
+    /// The folder of the package that the file belongs to.
+    fn package(&self) -> &'static str {
+        let mut folders = PACKAGES.into_iter();
+        folders
+            .find(|folder| self.path.starts_with(folder))
+            .unwrap()
+    }
+
+    /// Whether all of it is tests.
+    fn is_test(&self) -> bool {
+        self.path.ends_with("/tests.rs") || self.path.contains("/tests/")
+    }
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Every `.rs` file below `folder`.
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+fn sources() -> Vec<SourceFile> {
+    let read = |path: PathBuf| {
+        let relative = path.strip_prefix(root()).unwrap().to_str().unwrap();
+        SourceFile {
+            path: relative.replace('\\', "/"),
+            text: fs::read_to_string(&path).unwrap(),
+        }
+    };
+    let files: Vec<SourceFile> = rust_files(&root().join("src"))
+        .into_iter()
+        .map(read)
+        .collect();
+    assert!(files.iter().any(|file| file.path == "src/bxdf/lib.rs"));
+    files
+}
+
+/// The names that follow `prefix` in `code`, those of a braced list included: `a` and `b` in `crate::{a::c, b}`.
+fn names_after(code: &str, prefix: &str) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for (at, _) in code.match_indices(prefix) {
+        let rest = code.split_at(at + prefix.len()).1;
+        if let Some(list) = rest.strip_prefix('{') {
+            let mut depth = 1_u32;
+            let mut item = String::new();
+            for character in list.chars() {
+                match character {
+                    '{' => depth += 1,
+                    '}' => depth -= 1,
+                    ',' if depth == 1 => names.extend(first_name(&std::mem::take(&mut item))),
+                    _ if depth == 1 => item.push(character),
+                    _ => {}
+                }
+                if depth == 0 {
+                    break;
+                }
+            }
+            names.extend(first_name(&item));
+        } else {
+            names.extend(first_name(rest));
+        }
+    }
+    names
+}
+
+fn first_name(text: &str) -> Option<String> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let name: String = text
+        .trim_start()
+        .chars()
+        .take_while(|c| is_part(*c))
+        .collect();
+    Some(name).filter(|name| !name.is_empty())
+}
+
+#[test]
+fn names_are_found_in_paths_and_lists() {
+    let code = "use crate::{analysis::{lobe::Lobe, scale}, bxdf,\n    ui::run};\ncrate::lab::x();";
+    let found = names_after(code, "crate::");
+    assert!(found.iter().eq(["analysis", "bxdf", "lab", "ui"]));
+}
+
+#[test]
+fn no_file_leads_back_to_itself() {
+    let sources = sources();
+    let mut problems = String::new();
+    for folder in PACKAGES {
+        let is_source = |file: &&SourceFile| file.package() == folder && !file.is_test();
+        let files: Vec<_> = sources
+            .iter()
+            .filter(is_source)
+            .map(|file| {
+                let inside = file.path.strip_prefix(folder).unwrap();
+                (inside, file.path.clone(), file.tested())
+            })
+            .collect();
+        let package = imports::Package::new(&files);
+        let named: BTreeMap<_, _> = package.named();
+        assert!(
+            named.values().map(BTreeSet::len).sum::<usize>() > 10,
+            "{folder}"
+        );
+        for (file, back) in imports::circles(&named) {
+            problems += &format!("{file} names {}\n", back.join(", "));
+        }
+    }
+    assert!(problems.is_empty(), "circles of files:\n{problems}");
+}
+
+#[test]
+fn egui_is_named_only_by_the_window() {
+    for file in sources() {
+        let may_name = file.package() == WINDOW;
+        let code = file.code();
+        for word in ["egui", "eframe", "wgpu", "winit"] {
+            assert!(
+                may_name || !code.contains(word),
+                "{} names {word}",
+                file.path
+            );
+        }
+    }
+}
+
+/// egui's own fields clamp and alter what is typed: one field of the window's own takes their place.
+#[test]
+fn numbers_are_typed_into_one_kind_of_field() {
+    let is_field = |file: &SourceFile| file.path.starts_with("src/ui/widgets/number/");
+    for file in sources().iter().filter(|file| !is_field(file)) {
+        for word in ["DragValue", "Slider"] {
+            assert!(!file.code().contains(word), "{} names {word}", file.path);
+        }
+    }
+}
+
+#[test]
+fn the_model_core_has_no_files_threads_or_clocks() {
+    for file in sources() {
+        if !file.path.starts_with("src/bxdf/") {
+            continue;
+        }
+        let named = names_after(&file.code(), "std::");
+        for module in STD_MODULES_NOT_IN_BXDF {
+            assert!(!named.contains(module), "{} names std::{module}", file.path);
+        }
+    }
+}
+
+#[test]
+fn source_files_are_short() {
+    let long: Vec<String> = sources()
+        .iter()
+        .map(|file| (file.text.lines().count(), &file.path))
+        .filter(|(lines, _)| *lines > MAX_LINES)
+        .map(|(lines, path)| format!("{path} has {lines} lines"))
+        .collect();
+    assert!(long.is_empty(), "over {MAX_LINES}: {}", long.join(", "));
+}
+
+/// A closure that stays a call makes a batch's loop one of calls: seventeen times as slow, and nothing else tells.
+#[test]
+fn what_a_batch_asks_of_a_model_is_inlined() {
+    let sources = sources();
+    let is_kernels = |file: &&SourceFile| file.path.ends_with("bxdf/batch/kernels.rs");
+    let kernels = sources.iter().find(is_kernels).unwrap();
+    let lines: Vec<&str> = kernels.text.lines().map(str::trim).collect();
+    let mut checked = 0;
+    for pair in lines.windows(2) {
+        let [before, line] = pair else { continue };
+        let is_asked = line.contains("bxdf.") && line.contains('|');
+        if is_asked {
+            assert_eq!(*before, "#[inline(always)]", "{line}");
+            checked += 1;
+        }
+    }
+    assert!(checked >= 2, "{checked}");
+}
+
+#[test]
+fn every_model_has_a_file_and_every_file_a_model() {
+    let files: BTreeSet<String> = rust_files(&root().join("src/bxdf/models"))
+        .iter()
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+        .filter(|name| name != "mod")
+        .collect();
+    let listed: BTreeSet<String> = MODELS.iter().map(|model| model.id.to_owned()).collect();
+    assert_eq!(files, listed);
+}
+
+#[test]
+fn models_say_where_they_come_from() {
+    for file in sources() {
+        if !file.path.starts_with("src/bxdf/models/") || file.path.ends_with("/mod.rs") {
+            continue;
+        }
+        let comments = file.comments();
+        for heading in ["# Source", "# Departures", "# Validity"] {
+            assert!(comments.contains(heading), "{}: no {heading}", file.path);
+        }
+    }
+}
+
+#[test]
+fn every_work_cited_stands_in_the_references() {
+    let references = fs::read_to_string(root().join("references.bib")).unwrap();
+    let known: Vec<&str> = references
+        .lines()
+        .filter(|line| line.starts_with('@'))
+        .filter_map(|line| line.split_once('{'))
+        .map(|(_, key)| key.trim_end_matches(','))
+        .collect();
+    let distinct: BTreeSet<&str> = known.iter().copied().collect();
+    assert_eq!(distinct.len(), known.len(), "a key stands twice");
+    for file in sources() {
+        for key in cited_keys(&file.comments()) {
+            assert!(
+                distinct.contains(key.as_str()),
+                "{} cites `{key}`, which references.bib lacks",
+                file.path
+            );
+        }
+    }
+}
+
+/// The bibliography keys between backticks: letters and a year, as in walter2007.
+fn cited_keys(comments: &str) -> BTreeSet<String> {
+    let is_key = |text: &&str| {
+        let name = text.trim_start_matches(|c: char| c.is_ascii_lowercase());
+        let year = name.trim_end_matches(|c: char| c.is_ascii_lowercase());
+        name.len() < text.len() && year.len() == 4 && year.bytes().all(|b| b.is_ascii_digit())
+    };
+    comments
+        .split('`')
+        .filter(is_key)
+        .map(str::to_owned)
+        .collect()
+}
+
+#[test]
+fn the_core_builds_without_a_window() {
+    let output = Command::new(env!("CARGO"))
+        .current_dir(root())
+        .args([
+            "tree",
+            "--offline",
+            "--locked",
+            "-p",
+            "brdf-explorer",
+            "--no-default-features",
+        ])
+        .args(["--edges", "normal", "--prefix", "none"])
+        .output()
+        .unwrap();
+    let tree = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    assert!(tree.contains("glam"), "{tree}");
+    for package in ["egui", "eframe", "wgpu", "winit"] {
+        assert!(!tree.contains(package), "{tree}");
+    }
+}
