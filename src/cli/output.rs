@@ -21,7 +21,6 @@ const BUFFER_BYTES: usize = 1 << 16;
 ///
 /// # Errors
 /// [`Error::Io`].
-#[cfg(feature = "gui")]
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     let mut output = Output::open(path)?;
     output

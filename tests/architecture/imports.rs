@@ -80,7 +80,7 @@ impl<'a> Package<'a> {
         named
     }
 
-    fn file(&self, module: &[&str]) -> Option<&str> {
+    fn file<'s>(&'s self, module: &[&'a str]) -> Option<&'s str> {
         self.modules.get(module).map(|module| module.path.as_str())
     }
 

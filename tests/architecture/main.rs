@@ -161,7 +161,7 @@ fn names_are_found_in_paths_and_lists() {
 #[test]
 fn no_file_leads_back_to_itself() {
     let sources = sources();
-    let mut problems = String::new();
+    let mut problems = Vec::new();
     for folder in PACKAGES {
         let is_source = |file: &&SourceFile| file.package() == folder && !file.is_test();
         let files: Vec<_> = sources
@@ -179,10 +179,10 @@ fn no_file_leads_back_to_itself() {
             "{folder}"
         );
         for (file, back) in imports::circles(&named) {
-            problems += &format!("{file} names {}\n", back.join(", "));
+            problems.push(format!("{file} names {}", back.join(", ")));
         }
     }
-    assert!(problems.is_empty(), "circles of files:\n{problems}");
+    assert!(problems.is_empty(), "circles:\n{}", problems.join("\n"));
 }
 
 #[test]
