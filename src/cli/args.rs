@@ -6,7 +6,7 @@ use std::path::Path;
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use xprec::Df64;
 
-use super::say;
+use super::say::say;
 use bxdf::Material;
 use bxdf::error::{Error, Result, shown};
 use bxdf::material::{self, library};

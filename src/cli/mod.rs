@@ -17,12 +17,13 @@ mod render;
 #[cfg(all(feature = "gui", unix, not(target_vendor = "apple")))]
 mod restart;
 mod sample;
+mod say;
 mod tradeoff;
 
 use std::any::TypeId;
 use std::error::Error as _;
 use std::ffi::OsString;
-use std::io::{self, Write as _};
+use std::io;
 use std::panic;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -30,7 +31,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
-use bxdf::error::{Error, Result, line, printable, shown};
+use bxdf::error::{Error, Result, line, shown};
 use bxdf_study::parallel;
 
 /// The exit code of a check that failed.
@@ -81,7 +82,7 @@ enum Verb {
 /// Every failure is one line on standard error. A panic, which is a defect, becomes such a line too.
 #[must_use]
 pub fn main() -> ExitCode {
-    panic::set_hook(Box::new(|info| say(&internal_error(info))));
+    panic::set_hook(Box::new(|info| say::say(&internal_error(info))));
     panic::catch_unwind(run).unwrap_or_else(|_| ExitCode::from(INTERNAL_ERROR))
 }
 
@@ -100,7 +101,7 @@ fn run() -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            say(&format!("error: {error}"));
+            say::say(&format!("error: {error}"));
             ExitCode::from(BAD_INPUT)
         }
     }
@@ -138,16 +139,7 @@ fn window() -> Result<()> {
 
 #[cfg(not(all(feature = "gui", not(target_arch = "wasm32"))))]
 fn window() -> Result<()> {
-    Err(no_window())
-}
-
-/// What is said where a build has no window.
-#[cfg(not(all(feature = "gui", not(target_arch = "wasm32"))))]
-fn no_window() -> Error {
-    Error::Platform {
-        problem: "this build has no window and draws no pictures".to_owned(),
-        remedy: "build it with the gui feature, or name another verb (see --help)".to_owned(),
-    }
+    Err(say::no_window())
 }
 
 /// The arguments that `words`, the first of which is the program's name, stand for.
@@ -203,7 +195,7 @@ fn refuse(error: &clap::Error, words: &[OsString]) -> ExitCode {
         let _ = error.print();
         return ExitCode::SUCCESS;
     }
-    say(
+    say::say(
         &match error.source().and_then(|e| e.downcast_ref::<Error>()) {
             Some(ours) => format!("error: {ours}"),
             None if error.kind() == ErrorKind::InvalidUtf8 => no_text(words),
@@ -237,15 +229,6 @@ fn internal_error(info: &panic::PanicHookInfo<'_>) -> String {
         place.as_deref().unwrap_or("an unknown place"),
         info.payload_as_str().unwrap_or("no message")
     )
-}
-
-/// The longest line on standard error, in characters: an error's parts are shorter, but not what others say.
-const MAX_LINE: usize = 4000;
-
-/// Writes `line` to standard error, as one line that does nothing else to a terminal. Where that is closed, there is nobody
-/// to tell.
-fn say(line: &str) {
-    let _ = writeln!(io::stderr(), "{}", printable(line, MAX_LINE));
 }
 
 #[cfg(test)]

@@ -171,7 +171,7 @@ pub(super) fn drawn(
     _: Option<&'static ViewKind>,
     _: Format,
 ) -> Result<Vec<u8>> {
-    Err(super::no_window())
+    Err(super::say::no_window())
 }
 
 /// The view that is asked for by name.

@@ -130,6 +130,19 @@ pub fn condition_numbers(
 /// For [`condition_numbers`]: all of it.
 pub const WHOLE: [f64; 4] = [f64::INFINITY; 4];
 
+impl Subject {
+    /// The condition numbers of what it gives for a pair in a precision of `unit_roundoff`; see [`condition_numbers`].
+    #[must_use]
+    pub fn condition_numbers(&self, pair: (DVec3, DVec3), unit_roundoff: f64) -> [f64; 4] {
+        condition_numbers(
+            (&*self.reference, &self.neighbours),
+            pair,
+            unit_roundoff,
+            WHOLE,
+        )
+    }
+}
+
 /// What the stability law allows for `quantity` at a pair, in a precision of `unit_roundoff`; the condition number is
 /// measured only where `deviation` needs it.
 #[must_use]

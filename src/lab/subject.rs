@@ -6,7 +6,6 @@ use glam::DVec3;
 use serde::Serialize;
 use xprec::Df64;
 
-use super::rounding::{WHOLE, condition_numbers};
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::{Real, frame};
 use bxdf::param::{ParamSet, ParamSpec, Value};
@@ -107,17 +106,6 @@ impl Subject {
             relative_index: (model.properties.relative_index)(params),
             is_isotropic: (model.properties.is_isotropic)(params),
         }
-    }
-
-    /// The condition numbers of what it gives for a pair in a precision of `unit_roundoff`; see [`condition_numbers`].
-    #[must_use]
-    pub fn condition_numbers(&self, pair: (DVec3, DVec3), unit_roundoff: f64) -> [f64; 4] {
-        condition_numbers(
-            (&*self.reference, &self.neighbours),
-            pair,
-            unit_roundoff,
-            WHOLE,
-        )
     }
 
     /// The three channels of `f` and the density at `pairs` (wo, wi), in `f64`: the order of a law's quantities.

@@ -167,7 +167,8 @@ impl<'a> Package<'a> {
                 return Some(Target::Item(found));
             }
         }
-        Some(Target::Item(at))
+        // What no file has: a name of a module within one, of an enumeration, of another crate.
+        None
     }
 }
 

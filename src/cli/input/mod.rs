@@ -14,7 +14,7 @@ use lines::DataLines;
 
 use super::args::is_standard_stream;
 use super::output::csv_error;
-use super::say;
+use super::say::say;
 use bxdf::error::{Error, Result, shown};
 use bxdf::math::Vec3;
 use bxdf_study::encoding;

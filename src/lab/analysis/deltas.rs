@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::lobe::{Arrow, HeldLobe};
-use super::polar::signed_angle;
+use super::section::signed_angle;
 use super::{Channel, Subject};
 use bxdf::Side;
 

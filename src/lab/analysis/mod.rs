@@ -18,6 +18,7 @@ mod refine;
 pub mod reflectance;
 pub mod sampling;
 pub mod scale;
+mod section;
 pub mod slice;
 pub mod sphere;
 pub mod statistics;

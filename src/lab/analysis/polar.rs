@@ -9,7 +9,8 @@ use super::lobe::HeldLobe;
 use super::refine::{CHORD_TOLERANCE, first_places, refine};
 use super::scale::RadialScale;
 use super::{Detail, IsWanted, Question, Subject};
-use bxdf::math::frame;
+
+pub use super::section::{direction, signed_angle};
 
 /// What a section shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,25 +60,6 @@ pub struct Section {
     pub peak: f64,
     /// The Dirac deltas, over the same angle: they are no values of the arcs.
     pub stems: Vec<Stem>,
-}
-
-/// The direction at signed angle `angle` of the section at azimuth `phi`, both in radians.
-#[must_use]
-pub fn direction(angle: f64, phi: f64) -> DVec3 {
-    let (sin, cos) = angle.sin_cos();
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    DVec3::new(sin * cos_phi, sin * sin_phi, cos)
-}
-
-/// The signed angle of `w` in the section at azimuth `phi`, as if `w` lay in it.
-#[must_use]
-pub fn signed_angle(w: DVec3, phi: f64) -> f64 {
-    let is_positive = w.x * phi.cos() + w.y * phi.sin() >= 0.0;
-    if is_positive {
-        frame::theta(w)
-    } else {
-        -frame::theta(w)
-    }
 }
 
 /// Spacing of the uniform grid under the adaptive one.

@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
+use super::declared::{WITNESS_MARGIN, declared_break};
 use super::energy::{self, QUICK_EVALUATIONS, QUICK_TOLERANCE};
-use super::{LawId, LawReport, Status, WITNESS_MARGIN, pointwise};
+use super::law::{LawId, LawReport, Status};
+use super::pointwise;
 use crate::analysis::reflectance::directional_hemispherical_within;
 use crate::subject::Subject;
 use bxdf::{Component, Declaration, Law, Material};
@@ -105,7 +107,7 @@ impl Causes {
         let mut allowed: f64 = 0.0;
         let mut notes = Vec::new();
         for declaration in model.properties.declarations.iter().filter(speaks) {
-            match super::declared_break(model, declaration) {
+            match declared_break(model, declaration) {
                 Ok(shown) => allowed = allowed.max(shown),
                 Err(problem) => {
                     self.status = Status::Misdeclared;

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
+use super::law::LawId;
 use super::sweep::directions;
-use super::{LawId, Tallies};
+use super::tally::Tallies;
 use crate::analysis::statistics::Random;
 use crate::rounding::relative_difference;
 use crate::subject::Subject;

@@ -3,8 +3,9 @@
 use glam::DVec3;
 
 use super::integrals::ESTIMATE;
+use super::law::LawId;
 use super::sweep::directions;
-use super::{LawId, Tallies};
+use super::tally::Tallies;
 use crate::analysis::reflectance::{directional_hemispherical, directional_hemispherical_within};
 use crate::subject::Subject;
 use bxdf::math::frame::direction_from_degrees;

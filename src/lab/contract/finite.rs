@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 
-use super::{LawId, Plan, Tallies, Witness};
+use super::law::LawId;
+use super::plan::Plan;
+use super::tally::Tallies;
 use crate::analysis::statistics::Random;
 use crate::stability::{is_good, is_good_number, is_unit};
-use crate::subject::Subject;
+use crate::subject::{Subject, Witness};
 use bxdf::Bxdf;
 use bxdf::math::frame::cos_sin_deg;
 use bxdf::math::{Real, Vec3};

@@ -2,9 +2,11 @@
 
 use glam::DVec3;
 
+use super::law::LawId;
+use super::plan::Plan;
 use super::pointwise::pairs;
 use super::sweep::directions;
-use super::{LawId, Plan, Tallies};
+use super::tally::Tallies;
 use crate::analysis::reflectance::directional_hemispherical;
 use crate::analysis::statistics::Random;
 use crate::rounding::relative_difference;

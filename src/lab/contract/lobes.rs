@@ -3,8 +3,10 @@
 use glam::DVec3;
 
 use super::integrals::ESTIMATE;
+use super::law::LawId;
+use super::plan::Plan;
 use super::pointwise::pairs;
-use super::{LawId, Plan, Tallies};
+use super::tally::Tallies;
 use crate::analysis::reflectance::directional_hemispherical_within;
 use crate::rounding::relative_difference;
 use crate::subject::Subject;

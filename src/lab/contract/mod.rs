@@ -12,6 +12,7 @@
 mod cause;
 mod cells;
 mod chart;
+mod declared;
 mod deltas;
 mod energy;
 mod families;
@@ -22,6 +23,7 @@ mod limits;
 mod lobes;
 mod order;
 mod physics;
+mod plan;
 mod pointwise;
 mod precision;
 mod sampling;
@@ -35,61 +37,14 @@ pub use cause::weight_that_keeps_energy;
 pub use law::{LawId, LawReport, Status};
 pub use limits::{CONE, LIMITS, Limit, Relation, compare};
 pub use physics::{PHYSICAL, check_energy, check_physical};
+pub use plan::{Effort, Plan};
 pub use sweep::{directions, parameter_sets};
 pub use tally::Tallies;
 
 pub use super::subject::{Subject, Witness};
 
 use bxdf::param::ParamSet;
-use bxdf::{Declaration, Law, Material, ModelSpec};
-
-/// How much work a check may take.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effort {
-    /// Some 10^4 samples and 10^5 evaluations per direction: catches a density wrong by 1 %.
-    Quick,
-    /// 10^6 samples per direction: catches a density wrong by .1 %.
-    Thorough,
-}
-
-impl Effort {
-    /// Strata along each axis of the unit square, two samples in each.
-    const fn strata(self) -> u32 {
-        match self {
-            Self::Quick => 48,
-            Self::Thorough => 708,
-        }
-    }
-
-    /// Independent samples of a chi-square test.
-    const fn samples(self) -> u32 {
-        match self {
-            Self::Quick => 8192,
-            Self::Thorough => 131_072,
-        }
-    }
-
-    /// Random pairs of directions per law and parameter set.
-    const fn pairs(self) -> u32 {
-        match self {
-            Self::Quick => 64,
-            Self::Thorough => 1024,
-        }
-    }
-}
-
-/// What a run of the laws shares.
-#[derive(Clone, Copy, Debug)]
-pub struct Plan {
-    /// How much work it may take.
-    pub effort: Effort,
-    /// Number of chi-square tests of the run, for Sidak's correction.
-    pub tests: usize,
-}
-
-/// A sweep may exceed the break that a witness shows by this factor: a witness stands for the worst break, and the
-/// directions of the sweep need not be its own. A larger break is another one.
-const WITNESS_MARGIN: f64 = 1.05;
+use bxdf::{Material, ModelSpec};
 
 /// Runs every law for `model` over its sweep of parameters, in the order of [`LawId::ALL`].
 #[must_use]
@@ -143,7 +98,7 @@ pub fn check_at(model: &ModelSpec, sets: &[ParamSet], effort: Effort) -> Vec<Law
     limits::limits(model, &plan, &mut tallies);
     tallies
         .into_reports()
-        .map(|report| judged(model, report))
+        .map(|report| declared::judged(model, report))
         .collect()
 }
 
@@ -157,40 +112,4 @@ pub fn laws(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     deltas::deltas(subject, tallies);
     finite::finite(subject, plan, tallies);
     precision::precision(subject, plan, tallies);
-}
-
-/// `report` with the model's declarations of its law taken into account.
-fn judged(model: &ModelSpec, mut report: LawReport) -> LawReport {
-    let declarations = report.law.declarations(model);
-    let declared_breaks = declarations.map(|declaration| declared_break(model, declaration));
-    let mut allowed: Option<f64> = None;
-    for shown in declared_breaks {
-        report.n += 1;
-        match shown {
-            Ok(deviation) => allowed = Some(allowed.unwrap_or(0.0).max(deviation)),
-            Err(problem) => {
-                report.status = Status::Misdeclared;
-                report.witness = problem.into();
-                return report;
-            }
-        }
-    }
-    if let Some(deviation) = allowed {
-        if report.worst <= WITNESS_MARGIN * deviation {
-            report.status = Status::Declared;
-        }
-        if report.worst < deviation {
-            report.worst = deviation;
-            report.witness = "the declared witness".to_owned().into();
-        }
-    }
-    report
-}
-
-/// By how much `model` breaks a law at a declared witness, or what is wrong with the witness.
-fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Result<f64, String> {
-    match declaration.law {
-        Law::Energy => energy::declared_break(model, declaration),
-        Law::Reciprocity => pointwise::declared_break(model, declaration),
-    }
 }

@@ -1,11 +1,11 @@
 //! The laws that a person asks about first, checked while they wait: of one material, at a fraction of the work.
 
-use super::{
-    Effort, LawId, LawReport, Plan, Status, Tallies, Witness, cause, deltas, energy, finite,
-    pointwise,
-};
+use super::law::{LawId, LawReport, Status};
+use super::plan::{Effort, Plan};
+use super::tally::Tallies;
+use super::{cause, deltas, energy, finite, pointwise};
 use crate::analysis::isotropy;
-use crate::subject::Subject;
+use crate::subject::{Subject, Witness};
 use bxdf::Material;
 
 /// The laws of [`check_physical`], in the order of its reports.

@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
+use super::law::LawId;
+use super::plan::Plan;
 use super::sweep::directions;
-use super::{LawId, Plan, Tallies};
+use super::tally::Tallies;
 use crate::analysis::statistics::Random;
 use crate::rounding::{Quantity, is_subnormal, relative_difference, rounding_bound};
 use crate::subject::Subject;

@@ -3,8 +3,10 @@
 use glam::DVec3;
 use xprec::Df64;
 
+use super::law::LawId;
+use super::plan::Plan;
 use super::pointwise::pairs;
-use super::{LawId, Plan, Tallies};
+use super::tally::Tallies;
 use crate::rounding::{Quantity, is_subnormal, quantities, relative_difference, rounding_bound};
 use crate::subject::Subject;
 use bxdf::Bxdf;

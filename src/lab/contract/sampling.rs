@@ -4,9 +4,12 @@ use glam::DVec3;
 
 use super::cells::Partition;
 use super::integrals::{CellIntegral, Channels, ESTIMATE};
+use super::law::LawId;
+use super::plan::Plan;
 use super::statistics::sidak;
 use super::sweep::directions;
-use super::{LawId, Plan, Tallies, energy, lobes};
+use super::tally::Tallies;
+use super::{energy, lobes};
 use crate::analysis::statistics::{Random, chi_square};
 use crate::rounding::{UNIT_LENGTH_ROUNDOFFS, relative_difference};
 use crate::subject::Subject;

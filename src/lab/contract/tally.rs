@@ -1,6 +1,7 @@
 //! Counting comparisons and keeping the worst.
 
-use super::{LawId, LawReport, Status, Witness};
+use super::law::{LawId, LawReport, Status};
+use crate::subject::Witness;
 
 /// The worst comparison of every law so far.
 #[derive(Clone, Debug)]

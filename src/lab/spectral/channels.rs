@@ -8,7 +8,6 @@
 //! A channel holds no more than 1. The red of gold would be 1.04, as its colour lies outside sRGB: it is held at 1.
 
 use super::colour::{FINEST, rgb_weights};
-use super::constants::Constants;
 use bxdf::math::frame::cos_sin_deg;
 use bxdf::optics::conductor::Conductor;
 
@@ -19,14 +18,8 @@ pub const MATCHED_DEG: [f64; 2] = [0.0, 82.0];
 /// Halvings of the range of n: below the rounding of what is left.
 const HALVINGS: usize = 60;
 
-/// What a smooth surface of `constants` reflects at the polar angle `theta_deg`, in degrees, as linear sRGB: 1 is white;
-/// where the colour lies outside sRGB a channel is above 1 or below 0.
-#[must_use]
-pub fn colour(constants: &Constants, theta_deg: f64) -> [f64; 3] {
-    colour_by(|nm| constants.at(nm), theta_deg)
-}
-
-fn colour_by(at: impl Fn(f64) -> [f64; 2], theta_deg: f64) -> [f64; 3] {
+/// What a smooth surface whose n and k are `at` a wavelength in nm reflects, as [`colour`](super::colour()) has it.
+pub(super) fn colour_by(at: impl Fn(f64) -> [f64; 2], theta_deg: f64) -> [f64; 3] {
     let parts = rgb_weights(FINEST).into_iter();
     parts.fold([0.0; 3], |mut sum, (nm, weights)| {
         let reflected = reflectance(at(nm), theta_deg);
@@ -87,22 +80,6 @@ fn reflectance([n, k]: [f64; 2], theta_deg: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectral::find;
-
-    #[test]
-    fn metals_have_the_colours_that_others_computed() {
-        // Tables through CIE 1931 and D65 to linear sRGB, to three decimals and by another rule of summation: of 5 nm.
-        for (id, expected) in [
-            ("gold", [1.035, 0.730, 0.364]),
-            ("copper", [0.929, 0.624, 0.522]),
-            ("brass", [0.908, 0.779, 0.423]),
-        ] {
-            let found = colour(find(id).unwrap(), 0.0);
-            for (found, expected) in found.into_iter().zip(expected) {
-                assert!((found - expected).abs() < 4e-3, "{id}: {found} {expected}");
-            }
-        }
-    }
 
     #[test]
     fn a_grey_substance_keeps_its_index() {

@@ -98,6 +98,13 @@ pub fn find(id: &str) -> Option<&'static Constants> {
     ALL.iter().find(|constants| constants.id == id)
 }
 
+/// What a smooth surface of `constants` reflects at the polar angle `theta_deg`, in degrees, as linear sRGB: 1 is white;
+/// where the colour lies outside sRGB a channel is above 1 or below 0.
+#[must_use]
+pub fn colour(constants: &Constants, theta_deg: f64) -> [f64; 3] {
+    channels::colour_by(|nm| constants.at(nm), theta_deg)
+}
+
 /// Whether `given` is `exact` in four significant digits.
 #[must_use]
 pub fn agrees(given: f64, exact: f64) -> bool {
@@ -135,5 +142,20 @@ mod tests {
         );
         assert!(agrees(0.2224, 0.222_449) && !agrees(0.2224, 0.222_46));
         assert!(agrees(0.0, 0.0) && !agrees(0.1, 0.0));
+    }
+
+    #[test]
+    fn metals_have_the_colours_that_others_computed() {
+        // Tables through CIE 1931 and D65 to linear sRGB, to three decimals and by another rule of summation: of 5 nm.
+        for (id, expected) in [
+            ("gold", [1.035, 0.730, 0.364]),
+            ("copper", [0.929, 0.624, 0.522]),
+            ("brass", [0.908, 0.779, 0.423]),
+        ] {
+            let found = colour(find(id).unwrap(), 0.0);
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 4e-3, "{id}: {found} {expected}");
+            }
+        }
     }
 }

@@ -5,6 +5,6 @@ mod colour;
 mod constants;
 mod table;
 
-pub use channels::{MATCHED_DEG, colour};
+pub use channels::MATCHED_DEG;
 pub use colour::{FINEST, RANGE_NM, rgb_weights, white_chromaticity};
-pub use constants::{Constants, agrees, find};
+pub use constants::{Constants, agrees, colour, find};

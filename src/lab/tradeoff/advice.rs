@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{FamilyReport, Point, Report};
+use super::report::{FamilyReport, Point, Report};
 use bxdf::Material;
 
 /// Tolerances for which advice is given where none is asked for: relative errors, root mean square.
@@ -33,7 +33,7 @@ pub struct Advice {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost: Option<String>,
     /// The material that it is, where it is one.
-    #[serde(skip_serializing_if = "super::is_no_text")]
+    #[serde(skip_serializing_if = "super::report::is_no_text")]
     pub material: Option<Material>,
 }
 

@@ -1,8 +1,37 @@
-//! What a measurement reports to, and how far it is.
+//! A family of choices, what it reports to while it is measured, and how far that is.
 
-use super::{Family, FamilyReport, Point, Report, Slopes, Stop, Study, front};
+use super::front;
+use super::report::{CostUnit, FamilyReport, Point, Report, Slopes};
+use super::study::{Stop, Study};
 use crate::analysis::IsWanted;
 use crate::timing::{Stopwatch, Timing};
+
+/// A family of choices.
+pub trait Family: Sync {
+    /// The word for it at the command line and in reports.
+    fn id(&self) -> &'static str;
+
+    /// The name at the screen.
+    fn title(&self) -> &'static str;
+
+    /// What its costs are of.
+    fn cost_unit(&self) -> CostUnit;
+
+    /// Whether its choices are ways to evaluate the material as it is given, held against that: advice for the material as a
+    /// whole is chosen among them.
+    fn is_of_material(&self) -> bool {
+        false
+    }
+
+    /// How long it takes to measure, in any unit common to all: for the progress.
+    fn share(&self) -> f64;
+
+    /// Measures every choice for the material of `study` and hands the points to `bench`.
+    ///
+    /// # Errors
+    /// [`Stop`], where the family does not apply, or is not wanted any more.
+    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop>;
+}
 
 /// What families report to while they measure.
 pub struct Bench<'a> {

@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
+use super::bench::{Bench, Family};
 use super::precision::{Batch, by_pair, values_in};
-use super::{Bench, CostUnit, Family, Point, Stop, Study};
+use super::report::{CostUnit, Point};
+use super::study::{Stop, Study};
 use crate::spectral::{Constants, FINEST, RANGE_NM, rgb_weights};
 use bxdf::batch::{Columns, Path};
 use bxdf::param::{Kind, Value};

@@ -1,6 +1,6 @@
 //! What nothing beats, and how errors fall with the number of samples.
 
-use super::{Point, Slopes};
+use super::report::{Point, Slopes};
 
 /// Marks the points that no other one beats in cost and in error.
 pub(super) fn mark(points: &mut [Point]) {

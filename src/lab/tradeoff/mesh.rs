@@ -4,7 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::{Bench, CostUnit, Family, Point, Stop, Study};
+use super::bench::{Bench, Family};
+use super::report::{CostUnit, Point};
+use super::study::{Stop, Study};
 use crate::analysis::lobe3d::{self, Mesh};
 use crate::analysis::polar::{self, Section};
 use crate::analysis::reflectance::MAX_EVALUATIONS;

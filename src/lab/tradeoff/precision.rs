@@ -4,7 +4,10 @@ use glam::DVec3;
 use rayon::prelude::*;
 use xprec::Df64;
 
-use super::{Bench, CostUnit, Family, Point, Stop, Study};
+use super::bench::{Bench, Family};
+use super::errors::Values;
+use super::report::{CostUnit, Point};
+use super::study::{Stop, Study};
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::Real;
 use bxdf::{Bxdf, Precision};
@@ -40,7 +43,7 @@ impl Family for Precisions {
         bench.reference("double-double numbers of 32 digits".to_owned());
         let pairs = &study.probe.pairs;
         let n = pairs.len() as f64;
-        let add = |bench: &mut Bench<'_>, name: &str, values: super::errors::Values<'_>, cost| {
+        let add = |bench: &mut Bench<'_>, name: &str, values: Values<'_>, cost| {
             let point = Point::new(name).with_errors(baseline.errors(values));
             bench.point(point.costing(cost));
         };

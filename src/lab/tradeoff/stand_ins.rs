@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
+use super::bench::{Bench, Family};
 use super::precision::{Batch, values_in};
-use super::{Bench, CostUnit, Family, Point, Stop, Study};
+use super::report::{CostUnit, Point};
+use super::study::{Stop, Study};
 use crate::analysis::lobe::pair_values;
 use bxdf::Material;
 use bxdf::batch::Path;

@@ -1,6 +1,6 @@
 //! The points as a table: what programs read.
 
-use super::{CostUnit, FamilyReport, Point, Report};
+use super::report::{CostUnit, FamilyReport, Point, Report};
 
 /// The names of the columns, with their units.
 pub const COLUMNS: [&str; 16] = [

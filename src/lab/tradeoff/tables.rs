@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::bench::{Bench, Family};
 use super::precision::{Batch, values_in};
-use super::{Bench, CostUnit, Family, Point, Stop, Study};
+use super::report::{CostUnit, Point};
+use super::study::{Stop, Study};
 use crate::analysis::lobe::pair_values;
 use bxdf::batch::Path;
 use bxdf::error::Result;

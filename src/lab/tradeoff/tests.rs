@@ -1,5 +1,8 @@
+use glam::DVec3;
+
 use super::*;
 use crate::timing::NoClock;
+use bxdf::Material;
 
 fn study_of(text: &str) -> (Material, Option<DVec3>) {
     (text.parse().unwrap(), None)

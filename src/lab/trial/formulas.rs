@@ -1,6 +1,5 @@
 //! The quantities on trial, each written twice.
 
-use super::Formula;
 use bxdf::glossy::cosine_power;
 use bxdf::internals::eon_loss;
 use bxdf::math::{Real, Vec3};
@@ -8,6 +7,20 @@ use bxdf::microfacet::Normals as _;
 use bxdf::microfacet::{ggx, gtr1};
 use bxdf::optics::conductor::Conductor;
 use bxdf::optics::fresnel;
+
+/// A quantity that is written twice.
+pub(super) trait Formula {
+    /// What the forms are given where the parameter is `x`.
+    fn input(x: f64) -> f64 {
+        x
+    }
+
+    /// As textbooks have it.
+    fn textbook<R: Real>(x: R) -> R;
+
+    /// As the core has it.
+    fn stable<R: Real>(x: R) -> R;
+}
 
 /// The unit vector of sine `sin`, and its cosine.
 fn leaning<R: Real>(sin: R) -> Vec3<R> {

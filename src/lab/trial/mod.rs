@@ -11,19 +11,7 @@ use xprec::Df64;
 use super::rounding::{relative_difference, stability_bound};
 use bxdf::math::{Fast, Real};
 
-/// A quantity that is written twice.
-trait Formula {
-    /// What the forms are given where the parameter is `x`.
-    fn input(x: f64) -> f64 {
-        x
-    }
-
-    /// As textbooks have it.
-    fn textbook<R: Real>(x: R) -> R;
-
-    /// As the core has it.
-    fn stable<R: Real>(x: R) -> R;
-}
+use formulas::Formula;
 
 /// Errors at one value of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]

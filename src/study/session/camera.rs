@@ -8,7 +8,7 @@ use core::f32::consts::{FRAC_PI_2, PI, TAU};
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 
-use stored::StoredCamera;
+use stored::{DISTANCE_RANGE, MAX_TARGET, StoredCamera};
 
 mod stored;
 
@@ -19,10 +19,6 @@ pub const NARROW_FOV: f32 = PI / 6.0;
 /// Eye distance of the home views: a unit sphere fills 70 % of the narrower side, which leaves
 /// room for axes of length 1.2 and their labels.
 const HOME_DISTANCE: f32 = 5.4;
-/// Eye distances that [`OrbitCamera::zoom`] can reach, in world units.
-const DISTANCE_RANGE: (f32, f32) = (1.2, 20.0);
-/// How far [`OrbitCamera::pan`] may move the target from the origin, in world units.
-const MAX_TARGET: f32 = 2.0;
 /// Half a degree per point: half a turn needs a drag across a typical panel.
 const ORBIT_RADIANS_PER_POINT: f32 = PI / 360.0;
 
@@ -221,6 +217,26 @@ impl OrbitCamera {
             distance: distance.clamp(DISTANCE_RANGE.0, DISTANCE_RANGE.1),
             target: target.clamp_length_max(MAX_TARGET),
         }
+    }
+}
+
+impl TryFrom<StoredCamera> for OrbitCamera {
+    type Error = String;
+
+    fn try_from(stored: StoredCamera) -> Result<Self, String> {
+        let StoredCamera {
+            yaw,
+            pitch,
+            distance,
+            target,
+        } = stored.checked()?;
+        let camera = Self {
+            yaw,
+            pitch,
+            distance,
+            target,
+        };
+        Ok(camera.sanitized())
     }
 }
 

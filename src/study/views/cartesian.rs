@@ -1,6 +1,6 @@
 //! f over an angle.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, shown};

@@ -1,6 +1,6 @@
 //! The lobes and factors of values.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, Value, shown};

@@ -1,6 +1,6 @@
 //! Every number at the cursor.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "inspector",

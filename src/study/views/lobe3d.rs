@@ -1,6 +1,6 @@
 //! The lobes over all directions.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};

@@ -1,14 +1,12 @@
 //! The kinds of views: one file each, and the one list of them.
 
-use super::export::Format;
-use super::export::table::Fill;
-use super::session::Session;
 use bxdf::error::{Error, Result};
 
 mod cartesian;
 mod decomposition;
 mod hemisphere;
 mod inspector;
+mod kind;
 mod lobe3d;
 mod polar;
 mod reflectance;
@@ -17,6 +15,8 @@ mod slice;
 mod sphere;
 mod stability;
 mod tradeoff;
+
+pub use kind::ViewKind;
 
 /// The one list of the kinds of views, in the order of the window: gives their ids to the macro `then`, which makes of them
 /// whatever there is one of for each.
@@ -36,35 +36,6 @@ macro_rules! list {
     };
 }
 view_kinds!(list);
-
-/// A kind of view.
-pub struct ViewKind {
-    /// The id: file name, command-line word and snapshot name.
-    pub id: &'static str,
-    /// The name at the screen.
-    pub title: &'static str,
-    /// What to see in it, in a sentence.
-    pub what_you_see: &'static str,
-    /// Whether, as the session has it, it shows what becomes of the held direction.
-    pub is_of_held: fn(&Session) -> bool,
-    /// The numbers behind it.
-    pub table: Option<Fill>,
-    /// Whether it is drawn by the graphics processor, so that it has no lines to export.
-    pub is_mesh: bool,
-}
-
-impl ViewKind {
-    /// Whether there is a file of this format of it.
-    #[must_use]
-    pub fn has_file(&self, format: Format) -> bool {
-        match format {
-            Format::Png | Format::Toml => true,
-            Format::Svg => !self.is_mesh,
-            Format::Csv => self.table.is_some(),
-            Format::Obj | Format::Gltf => self.is_mesh,
-        }
-    }
-}
 
 /// The kind of view with this id.
 ///

@@ -1,6 +1,6 @@
 //! A section of the lobes.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};

@@ -1,6 +1,6 @@
 //! The share of light that leaves.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::table::{Table, Value, shown};
 use crate::session::Session;

@@ -1,6 +1,6 @@
 //! Where samplers send directions.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::table::{Table, Value, shown};
 use crate::session::SamplingPlot;

@@ -1,6 +1,6 @@
 //! The lit sphere.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::table::{Table, shown};
 use crate::session::Session;

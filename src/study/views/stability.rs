@@ -1,6 +1,6 @@
 //! Where digits are lost.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::table::Table;
 use crate::session::Session;

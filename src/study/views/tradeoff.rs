@@ -1,6 +1,6 @@
 //! What accuracy costs.
 
-use super::ViewKind;
+use super::kind::ViewKind;
 use crate::data::Data;
 use crate::export::table::{Table, Value};
 use crate::session::Session;

@@ -1,11 +1,8 @@
 //! What is on the screen as files. Pictures and drawings are made of the same `App`, in the window and at the command line.
 
-use std::sync::Arc;
-
 use egui::ColorImage;
 
 use super::app::{Maker, Picture};
-use super::headless;
 use super::theme::{self, Palette};
 use bxdf::error::Result;
 use bxdf_study::export::{Format, refused, text};
@@ -49,21 +46,3 @@ fn drawing(picture: Picture) -> Result<Vec<u8>> {
     let shapes = &harness.output().shapes;
     svg::drawing(shapes, size, background, &image_of).map(String::into_bytes)
 }
-
-/// A picture as the bytes of a PNG file.
-///
-/// # Errors
-/// [`Error::Platform`] where it cannot be encoded.
-fn png_of(image: &ColorImage) -> Result<Vec<u8>> {
-    let [width, height] = image.size.map(|side| side as u32);
-    let bytes = image
-        .pixels
-        .iter()
-        .flat_map(egui::Color32::to_srgba_unmultiplied);
-    headless::encoded(
-        &image::RgbaImage::from_raw(width, height, bytes.collect()).unwrap_or_default(),
-    )
-}
-
-/// The picture behind a texture, if it is one of the views'.
-type ImageOf<'a> = &'a dyn Fn(egui::TextureId) -> Option<Arc<ColorImage>>;

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Ui};
 
-use super::{Cursor, ViewContext};
+use super::context::ViewContext;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{Axis, Chart, Series, Shown};
 use crate::widgets::legend::{self, Sample};
@@ -12,14 +12,14 @@ use bxdf_lab::analysis::cartesian::{self, Abscissa, Curve};
 use bxdf_lab::analysis::half_difference::half_difference;
 use bxdf_lab::analysis::lobe::Arrow;
 use bxdf_lab::analysis::{Channel, HeldLobe, polar};
+use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
 
-/// The list entry.
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     legend::show(ui, Sample::Line, cx.session, cx.palette);
-    if let Some(note) = super::nothing_to_show(cx.session) {
+    if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
@@ -80,7 +80,7 @@ fn controls(ui: &mut Ui, session: &mut Session) {
         let hint = "The value less that of the reference material";
         choice::switch(ui, ("Residual", hint), &mut options.is_residual);
         if options.is_residual {
-            super::reference_choice(ui, &mut session.materials);
+            super::context::reference_choice(ui, &mut session.materials);
         }
     });
 }
@@ -106,7 +106,7 @@ fn chart(cx: &mut ViewContext<'_>) -> Chart {
     let (mut series, mut stems) = (Vec::new(), Vec::new());
     let outside = match options.abscissa {
         Abscissa::Difference => ", at θh 0°",
-        Abscissa::Free | Abscissa::Half => super::OUTSIDE_SECTION,
+        Abscissa::Free | Abscissa::Half => super::context::OUTSIDE_SECTION,
     };
     for entry in session.materials.shown() {
         let curve = data.compare(session, entry, reference, request);
@@ -115,7 +115,7 @@ fn chart(cx: &mut ViewContext<'_>) -> Chart {
             palette.material(entry.slot()),
         );
         let own = curve.stems.iter();
-        stems.extend(own.map(|stem| super::chart_stem(stem, &title, color, outside)));
+        stems.extend(own.map(|stem| super::context::chart_stem(stem, &title, color, outside)));
         for channel in session.shown_curves().channels() {
             series.push(line(session, entry, &curve, *channel, palette));
         }
@@ -128,7 +128,7 @@ fn chart(cx: &mut ViewContext<'_>) -> Chart {
     };
     let [mut least, largest] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
     let y = if least == largest && !stems.is_empty() {
-        super::share_axis(stems.iter().map(|stem| stem.share))
+        super::context::share_axis(stems.iter().map(|stem| stem.share))
     } else {
         // Room for stems that go down.
         let lowest = stems.iter().map(|stem| stem.share).fold(0.0, f64::min);
@@ -139,7 +139,7 @@ fn chart(cx: &mut ViewContext<'_>) -> Chart {
     let mut chart = Chart::of("Cartesian plot", [x_axis(session), y], series);
     chart.stems = stems;
     if options.abscissa == Abscissa::Free {
-        chart.marks = super::section_marks(session, palette);
+        chart.marks = super::context::section_marks(session, palette);
     }
     chart
 }

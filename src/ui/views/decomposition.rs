@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Color32, Rect, Ui, UiBuilder};
 
-use super::{Cursor, ViewContext};
+use super::context::ViewContext;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::widgets::legend::{self, Sample};
@@ -12,10 +12,10 @@ use crate::widgets::{choice, draw, pictures};
 use bxdf::{Category, Lobe};
 use bxdf_lab::analysis::decomposition::{Decomposition, Factors};
 use bxdf_lab::analysis::{Channel, deltas, polar};
+use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{DECADES, Decomposed, EntryId, Session};
 
-/// The list entry.
 /// Width over height of the charts of several materials.
 const ASPECT: f32 = 1.5;
 
@@ -27,7 +27,7 @@ const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::nothing_to_show(cx.session) {
+    if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
@@ -126,7 +126,7 @@ fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let y = Axis::of_values("share", [0.0, 1.0], None);
     let x = x_axis(cx.session, parts.iter().map(|(_, parts)| &**parts));
     let mut chart = Chart::of("Factors", [x, y], series);
-    chart.marks = super::section_marks(cx.session, cx.palette);
+    chart.marks = super::context::section_marks(cx.session, cx.palette);
     chart.has_names = true;
     let room = ui.available_rect_before_wrap();
     let selected = cx.session.materials.selected().id();
@@ -228,7 +228,7 @@ fn lobes_chart(
         "f (1/sr)"
     };
     let y = if highest == 0.0 && !stems.is_empty() {
-        super::share_axis(stems.iter().map(|stem| stem.share))
+        super::context::share_axis(stems.iter().map(|stem| stem.share))
     } else {
         Axis::of_values(quantity, [0.0, highest], decades)
     };
@@ -236,7 +236,7 @@ fn lobes_chart(
     let mut chart = Chart::of(name, [x, y], series);
     chart.bands = bands;
     chart.stems = stems;
-    chart.marks = super::section_marks(session, palette);
+    chart.marks = super::context::section_marks(session, palette);
     chart.has_names = true;
     chart
 }
@@ -251,7 +251,7 @@ fn delta_stem(palette: &Palette) -> impl Fn(&deltas::Stem) -> chart::Stem {
             name: "",
         };
         let of = lobe_name(&lobe);
-        let stem = super::chart_stem(stem, &of, color, super::OUTSIDE_SECTION);
+        let stem = super::context::chart_stem(stem, &of, color, super::context::OUTSIDE_SECTION);
         chart::Stem {
             name: format!("{of}: {}", stem.name),
             ..stem

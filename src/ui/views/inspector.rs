@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use egui::{Grid, RichText, ScrollArea, Ui};
 use glam::DVec3;
 
-use super::ViewContext;
+use super::context::ViewContext;
 use crate::widgets::{deltas as widgets_deltas, draw};
 use bxdf::Side;
 use bxdf_lab::analysis::half_difference::{HalfDifference, Spherical, half_difference};
@@ -15,7 +15,6 @@ use bxdf_lab::analysis::{Channel, Hold};
 use bxdf_study::export::names;
 use bxdf_study::format;
 
-/// The list entry.
 /// The columns of numbers: name and meaning.
 const COLUMNS: [(&str, &str); 12] = [
     ("f R", "The value f in the red channel, in 1/sr"),

@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use super::ViewContext;
+use super::context::ViewContext;
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{Axis, Band, Chart, Mark, Series};
 use crate::widgets::legend::{self, Sample};
@@ -13,7 +13,6 @@ use bxdf_lab::analysis::reflectance::{Curve, LobeShare, by_kind};
 use bxdf_study::format;
 use bxdf_study::session::{Session, Split};
 
-/// The list entry.
 /// A part of the light that leaves.
 struct Part {
     name: String,
@@ -25,7 +24,7 @@ struct Part {
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     legend::show(ui, Sample::Line, cx.session, cx.palette);
-    if let Some(note) = super::nothing_to_show(cx.session) {
+    if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }

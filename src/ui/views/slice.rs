@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Align2, Rect, Response, Ui, vec2};
 
-use super::ViewContext;
+use super::context::ViewContext;
 use crate::theme::Palette;
 use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::widgets::{choice, deltas, draw};
@@ -13,7 +13,6 @@ use bxdf_lab::analysis::{Channel, Subject};
 use bxdf_study::format;
 use bxdf_study::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
 
-/// The list entry.
 /// Room for the names and numbers of the axes, in points: at the left and below.
 const LABELS: egui::Vec2 = vec2(34.0, 30.0);
 
@@ -34,7 +33,7 @@ const ROOM_FOR_NAMES: f32 = 150.0;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::nothing_to_show(cx.session) {
+    if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Comparison, Quantity, Request};
+use super::request::{Comparison, Quantity, Request};
 use crate::analysis::lobe::Arrow;
 use crate::analysis::{Subject, deltas};
 use bxdf::Side;

@@ -1,7 +1,7 @@
 use std::f64::consts::PI;
 
 use super::*;
-use crate::analysis::Hold;
+use crate::analysis::{HeldLobe, Hold};
 use bxdf::math::frame::direction_from_degrees;
 use bxdf::{Bxdf, Material};
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::{Request, Vertex};
+use super::surface::{Request, Vertex};
 use crate::analysis::lobe::{HeldLobe, Seeds};
 use crate::analysis::{Detail, IsWanted};
 

@@ -1,6 +1,6 @@
 //! What samples are worth: the spread of estimates of one integral.
 
-use super::Point;
+use super::points::Point;
 use crate::analysis::HeldLobe;
 use crate::analysis::statistics::Random;
 use bxdf::math::{Vec3, warp};

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{Point, Samples, drawn};
+use super::points::{Point, Samples, drawn};
 use crate::analysis::quadrature::integrate_square;
 use crate::analysis::statistics::{ChiSquare, chi_square};
 use crate::analysis::{HeldLobe, IsWanted};

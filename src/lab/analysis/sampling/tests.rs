@@ -1,3 +1,5 @@
+use glam::DVec3;
+
 use super::*;
 use crate::analysis::Hold;
 use bxdf::Material;

@@ -1,6 +1,6 @@
 //! What a map runs over.
 
-use super::Place;
+use super::place::Place;
 use bxdf::Material;
 use bxdf::param::{Kind, ParamSpec, Scale, Value};
 

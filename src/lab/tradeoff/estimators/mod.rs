@@ -7,9 +7,12 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use super::{Bench, CostUnit, Family, Point, Stop, Study};
 use crate::analysis::quadrature::Integral;
 use crate::analysis::{HeldLobe, Hold};
+use crate::timing::Timing;
+use crate::tradeoff::bench::{Bench, Family};
+use crate::tradeoff::report::{CostUnit, Point};
+use crate::tradeoff::study::{Stop, Study};
 use bxdf::Side;
 use bxdf::batch::Columns;
 use bxdf::math::quadrature::gauss_legendre;
@@ -218,7 +221,7 @@ impl Sampled {
                     std::hint::black_box(self.terms(surface, log_n, 0).iter().sum::<f64>());
                 })
             } else {
-                let (timed, cost): (u64, super::Timing) = last.unwrap_or_default();
+                let (timed, cost): (u64, Timing) = last.unwrap_or_default();
                 cost.over(timed as f64 / n as f64)
             };
             if log_n <= TIMED_TO {

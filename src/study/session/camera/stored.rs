@@ -3,16 +3,20 @@
 use glam::Vec3;
 use serde::Deserialize;
 
-use super::{DISTANCE_RANGE, MAX_TARGET, OrbitCamera};
 use crate::number::NumberSpec;
+
+/// Eye distances that [`super::OrbitCamera::zoom`] can reach, in world units.
+pub(super) const DISTANCE_RANGE: (f32, f32) = (1.2, 20.0);
+/// How far [`super::OrbitCamera::pan`] may move the target from the origin, in world units.
+pub(super) const MAX_TARGET: f32 = 2.0;
 
 /// The camera of a file, which may have been edited.
 #[derive(Deserialize)]
 pub(super) struct StoredCamera {
-    yaw: f32,
-    pitch: f32,
-    distance: f32,
-    target: Vec3,
+    pub(super) yaw: f32,
+    pub(super) pitch: f32,
+    pub(super) distance: f32,
+    pub(super) target: Vec3,
 }
 
 /// The azimuth of the eye in a file, within a turn either way.
@@ -33,29 +37,21 @@ static TARGET: NumberSpec = NumberSpec::new(
     [-1.001 * MAX_TARGET as f64, 1.001 * MAX_TARGET as f64],
 );
 
-impl TryFrom<StoredCamera> for OrbitCamera {
-    type Error = String;
-
-    fn try_from(stored: StoredCamera) -> Result<Self, String> {
-        let StoredCamera {
-            yaw,
-            pitch,
-            distance,
-            target,
-        } = stored;
-        for (spec, value) in [(&YAW, yaw), (&PITCH, pitch), (&DISTANCE, distance)] {
+impl StoredCamera {
+    /// Refuses what no camera has, naming what is allowed.
+    pub(super) fn checked(self) -> Result<Self, String> {
+        let angles = [
+            (&YAW, self.yaw),
+            (&PITCH, self.pitch),
+            (&DISTANCE, self.distance),
+        ];
+        for (spec, value) in angles {
             spec.checked(f64::from(value))?;
         }
-        for coordinate in target.to_array() {
+        for coordinate in self.target.to_array() {
             TARGET.checked(f64::from(coordinate))?;
         }
-        let camera = Self {
-            yaw,
-            pitch,
-            distance,
-            target,
-        };
-        Ok(camera.sanitized())
+        Ok(self)
     }
 }
 
@@ -65,7 +61,7 @@ mod tests {
 
     use glam::Vec2;
 
-    use super::*;
+    use super::super::OrbitCamera;
 
     #[test]
     fn stored_values_have_their_ranges() {

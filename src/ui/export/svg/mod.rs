@@ -10,13 +10,14 @@ use egui::epaint::{
     BandShape, CircleShape, ClippedShape, ColorMode, EllipseShape, Mesh, PathShape, PathStroke,
     RectShape,
 };
-use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, Shape, Stroke, Vec2, pos2};
+use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, Shape, Stroke, Vec2};
 
-use super::{ImageOf, png_of};
 use bxdf::error::Result;
 use elements::{path_of, place, short, stroked, turned};
+use images::{ImageOf, png_of};
 
 mod elements;
+mod images;
 mod pieces;
 mod text;
 
@@ -309,9 +310,6 @@ fn solid(stroke: &PathStroke, points: &[Pos2]) -> Stroke {
     };
     Stroke::new(stroke.width, color)
 }
-
-/// The whole of a texture.
-const WHOLE: Rect = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
 
 #[cfg(test)]
 mod tests;

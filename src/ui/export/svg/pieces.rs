@@ -1,10 +1,12 @@
 //! The parts of shapes that are no element of the format by themselves.
 
 use egui::epaint::{BandPoint, BandShape};
-use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, StrokeKind, Vec2, emath::Rot2};
+use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, StrokeKind, Vec2, emath::Rot2, pos2};
 
-use super::WHOLE;
 use super::elements::short;
+
+/// The whole of a texture.
+pub(super) const WHOLE: Rect = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
 
 /// The outlines of a band, one for each stretch of points that ascend in x; what breaks it is left out, as egui does.
 pub(super) fn of_band(band: &BandShape) -> Vec<Vec<Pos2>> {

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use egui::epaint::{CubicBezierShape, QuadraticBezierShape, StrokeKind, TextShape};
 use egui::text::{LayoutJob, TextFormat};
-use egui::{FontFamily, FontId, TextureId, vec2};
+use egui::{FontFamily, FontId, TextureId, pos2, vec2};
 
+use super::pieces::WHOLE;
 use super::*;
 
 const RED: Color32 = Color32::RED;

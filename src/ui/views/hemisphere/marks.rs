@@ -5,7 +5,8 @@ use std::sync::Arc;
 use egui::{Align2, Rect, Ui};
 use glam::DVec3;
 
-use super::{LABELS, ViewContext, mirrored};
+use super::super::context::ViewContext;
+use super::place::{LABELS, mirrored, position};
 use crate::theme::Palette;
 use crate::widgets::{deltas, draw, handle, pictures};
 use bxdf::math::frame;
@@ -93,12 +94,6 @@ pub(super) fn delta_label(value: &DeltaValue, session: &Session) -> String {
         (false, false) => text + ", below",
         _ => text,
     }
-}
-
-/// Where a direction lies in a picture.
-pub(super) fn position(rect: Rect, w: DVec3, session: &Session) -> egui::Pos2 {
-    let place = session.views.hemisphere.projection.place(w);
-    pictures::position_of(rect, mirrored(place))
 }
 
 /// The deltas as rings; those to the other side where they would be seen through the surface.

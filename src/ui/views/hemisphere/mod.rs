@@ -4,26 +4,26 @@ use std::sync::Arc;
 
 use egui::{Rect, Response, Shape, Ui};
 
-use super::{Cursor, ViewContext};
+use super::context::ViewContext;
 use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::widgets::{choice, deltas, draw, handle};
 use bxdf_lab::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
 use bxdf_lab::analysis::{Channel, HeldLobe, Subject};
+use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{DECADES, EntryId, MaterialEntry, Session};
 
 mod marks;
+mod place;
 
-/// The list entry.
-/// Room for labels around a disc, in points.
-const LABELS: f32 = 15.0;
+use place::{LABELS, mirrored};
 
 /// The largest ratio that colours tell apart.
 const LARGEST_RATIO: f64 = 100.0;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::nothing_to_show(cx.session) {
+    if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
@@ -91,7 +91,7 @@ fn controls(ui: &mut Ui, session: &mut Session) {
             Comparison::title,
         );
         if options.comparison != Comparison::None {
-            super::reference_choice(ui, &mut session.materials);
+            super::context::reference_choice(ui, &mut session.materials);
         }
         let hint = "How directions lie on the disc";
         choice::choice(
@@ -185,11 +185,6 @@ fn quantity_name(session: &Session) -> String {
         Comparison::None if unit.is_empty() => title.to_owned(),
         Comparison::None => format!("{title}, {unit}"),
     }
-}
-
-/// A place of the unit disc in the picture, x to the right and y up, as a share from its upper left; and back.
-fn mirrored([x, y]: [f64; 2]) -> [f64; 2] {
-    [0.5 + 0.5 * x, 0.5 - 0.5 * y]
 }
 
 fn show_map(
@@ -305,7 +300,7 @@ fn point(
     };
     let mut text = read_out(cx, &cursor);
     for value in &map.deltas {
-        let at = marks::position(rect, value.direction, cx.session);
+        let at = place::position(rect, value.direction, cx.session);
         if at.distance(pointer) <= deltas::BESIDE_RING {
             text = format!("{text}\n{}", marks::delta_label(value, cx.session));
         }

@@ -6,33 +6,26 @@ use std::sync::Arc;
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
-use super::{Cursor, ViewContext};
+use super::context::ViewContext;
 use crate::scene3d::{self, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
 use crate::widgets::legend::{self, Sample};
 use crate::widgets::{draw, handle, reset};
+use bxdf_study::cursor::Cursor;
 use bxdf_study::session::Session;
 use bxdf_study::session::{HomeView, OrbitCamera};
 use sketch::Sketch;
 use surface::Lobes;
 
 mod scene;
+mod sizes;
 mod sketch;
 mod surface;
 
-pub(super) use scene::DrawingMemo;
-
-/// The list entry.
-/// Where axes end, beyond the unit dome.
-const AXIS_LENGTH: f32 = 1.22;
 /// How high the view's centre lies when nothing is below the surface: the upper half then fills the view.
 const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
 /// How much closer the camera then comes.
 const UPPER_ZOOM: f32 = 1.15;
-/// Radius of the arcs of theta and phi.
-const ARC_RADIUS: f32 = 0.42;
-/// A shorter projection of the held direction has no azimuth worth drawing.
-const FLAT: f32 = 1e-3;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     legend::show(ui, Sample::Patch, cx.session, cx.palette);
@@ -47,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let view = SceneView {
         id: ui.scope_id().value(),
         scene: Arc::clone(&drawing.scene),
-        version: cx.state.drawing.version(),
+        version: scene::version(cx),
         camera: camera.clone(),
         background: rgba(cx.palette.background, 255),
     };

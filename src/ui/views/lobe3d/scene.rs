@@ -5,9 +5,9 @@ use std::sync::Arc;
 use egui::{Theme, Ui};
 use glam::{DVec3, Vec3};
 
-use super::super::ViewContext;
+use super::super::context::ViewContext;
+use super::sizes::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use super::surface::{Lobes, Part};
-use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use crate::scene3d::Scene;
 use crate::theme::{Palette, rgba};
 use bxdf::math::frame;
@@ -25,7 +25,7 @@ const BRUSH_ALPHA: u8 = 50;
 
 /// What a drawing is made from.
 #[derive(Clone, PartialEq)]
-pub(in super::super) struct Key {
+struct Key {
     requested: Vec<Requested>,
     session: Session,
     is_dark: bool,
@@ -51,13 +51,13 @@ pub(super) fn requested(cx: &mut ViewContext<'_>) -> Vec<Requested> {
 }
 
 /// What is on the screen, less what is painted over it.
-pub(in super::super) struct Drawing {
+pub(super) struct Drawing {
     pub(super) scene: Arc<Scene>,
     pub(super) lobes: Lobes,
 }
 
 /// The drawing last shown.
-pub(in super::super) type DrawingMemo = Memo<Key, Drawing>;
+type DrawingMemo = Memo<Key, Drawing>;
 
 /// The drawing of the session, made anew only where something other than the camera has changed.
 pub(super) fn drawing(
@@ -75,7 +75,8 @@ pub(super) fn drawing(
         is_dark: ui.ctx().theme() == Theme::Dark,
     };
     let (session, palette) = (&*cx.session, cx.palette);
-    cx.state.drawing.get(key, || {
+    let memo: &mut DrawingMemo = cx.state.own(cx.view);
+    memo.get(key, || {
         let parts = requested.into_iter().filter_map(|one| {
             let entry = session.materials.get(one.material)?;
             Some(Part {
@@ -100,6 +101,11 @@ pub(super) fn drawing(
             lobes,
         }
     })
+}
+
+/// What tells the drawing last shown from those before.
+pub(super) fn version(cx: &mut ViewContext<'_>) -> u64 {
+    cx.state.own::<DrawingMemo>(cx.view).version()
 }
 
 fn add_frame(scene: &mut Scene, palette: &Palette, has_lower: bool) {

@@ -5,8 +5,8 @@ use std::cell::RefCell;
 use egui::{Align2, Color32, Pos2, Rect, Ui, vec2};
 use glam::Vec3;
 
+use super::sizes::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use super::surface::Lobes;
-use super::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use crate::scene3d::{Projection as _, Ray};
 use crate::theme::{self, Palette};
 use crate::widgets::{deltas, draw};

@@ -3,11 +3,12 @@
 use egui::{IdSalt, Ui, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
-use super::{Cursor, ViewContext};
+use super::context::ViewContext;
 use crate::theme::Dash;
 use crate::widgets::legend::{self, Sample};
 use crate::widgets::{draw, handle, reset};
 use bxdf_lab::analysis::{deltas, polar};
+use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{MaterialEntry, wrapped_deg};
 use canvas::{Canvas, Plotted};
 use radial::{Radial, at};
@@ -15,7 +16,6 @@ use radial::{Radial, at};
 mod canvas;
 mod radial;
 
-/// The list entry.
 /// The room beside the plot's unit circle that labels need, and above it.
 const SIDE_ROOM: f64 = 0.4;
 const TOP_ROOM: f64 = 0.27;

@@ -2,8 +2,9 @@
 
 use egui::{Grid, RichText, ScrollArea, Ui};
 
-use super::super::{self as views, ViewContext};
-use super::{color_of, studies};
+use super::super::context;
+use super::super::context::ViewContext;
+use super::studies::{color_of, studies};
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::widgets::legend::{self, Sample};
@@ -65,7 +66,7 @@ pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     };
     let mut chart = Chart::of("Densities", [x, y], series);
     chart.stems = stems;
-    chart.marks = super::super::section_marks(cx.session, cx.palette);
+    chart.marks = context::section_marks(cx.session, cx.palette);
     chart.has_names = true;
     read(ui, cx, &chart, "θ ");
 }
@@ -85,7 +86,7 @@ fn delta_stems(cx: &mut ViewContext<'_>) -> Vec<chart::Stem> {
             let chance = stem.share();
             chart::Stem {
                 name: format!("delta, probability {}", labels::share(chance)),
-                ..views::chart_stem(stem, &title, color, views::OUTSIDE_SECTION)
+                ..context::chart_stem(stem, &title, color, context::OUTSIDE_SECTION)
             }
         }));
     }

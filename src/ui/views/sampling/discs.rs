@@ -6,8 +6,8 @@ use std::sync::Arc;
 use egui::{Align2, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::DVec3;
 
-use super::super::ViewContext;
-use super::color_of;
+use super::super::context::ViewContext;
+use super::studies::color_of;
 use crate::scene3d::Projection as _;
 use crate::theme::Palette;
 use crate::widgets::draw;

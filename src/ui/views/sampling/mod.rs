@@ -1,25 +1,20 @@
 //! The sampling: where `sample_f` sends its samples, whether they follow the density, and what they are worth.
 
-use std::sync::Arc;
+use egui::Ui;
 
-use egui::{Color32, Ui};
-
-use super::ViewContext;
+use super::context::ViewContext;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
-use bxdf_lab::analysis::sampling::Study;
 use bxdf_study::number::NumberSpec;
-use bxdf_study::session::{
-    EntryId, MaterialEntry, SAMPLES_LOG2, SEED, SamplingOptions, SamplingPlot, Session,
-};
+use bxdf_study::session::{SAMPLES_LOG2, SEED, SamplingOptions, SamplingPlot, Session};
 
 mod charts;
 mod discs;
+mod studies;
 
-/// The list entry.
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::nothing_to_show(cx.session) {
+    if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
@@ -87,20 +82,4 @@ fn samples(ui: &mut Ui, options: &mut SamplingOptions, hint: &str) {
     let shown = shown.inner.on_hover_text(hint);
     shown.explain(ui);
     options.count_log2 = log2.round() as u8;
-}
-
-fn studies(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Study>)> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
-    let study = |entry: &MaterialEntry| {
-        (
-            entry.id(),
-            data.ask(session, entry, session.sampling_request()),
-        )
-    };
-    session.materials.shown().map(study).collect()
-}
-
-fn color_of(cx: &ViewContext<'_>, entry: EntryId) -> Color32 {
-    let found = cx.session.materials.get(entry);
-    found.map_or(cx.palette.ink, |entry| cx.palette.material(entry.slot()))
 }

@@ -3,8 +3,8 @@
 use egui::{Align2, Rect, Ui};
 use glam::DVec3;
 
-use super::super::ViewContext;
-use super::position;
+use super::super::context::ViewContext;
+use super::place::position;
 use crate::widgets::{deltas, handle, pictures};
 use bxdf::math::frame;
 use bxdf_lab::analysis::sphere::{self, Light};

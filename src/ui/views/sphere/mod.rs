@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, ColorImage, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
+use egui::{Align2, ColorImage, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 
-use super::ViewContext;
+use super::context::ViewContext;
 use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
@@ -17,14 +17,16 @@ use bxdf_study::format;
 use bxdf_study::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
 
 mod light;
+mod place;
 
-/// The list entry.
+use place::position;
+
 /// Room around a sphere for the handle of a light that stands behind it, as a share of the picture.
 const MARGIN: f32 = 0.08;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
-    if let Some(note) = super::nothing_to_show(cx.session) {
+    if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
@@ -99,7 +101,7 @@ fn controls(ui: &mut Ui, session: &mut Session) {
                 Arrangement::title,
             );
             if options.arrangement == Arrangement::Difference {
-                super::reference_choice(ui, &mut session.materials);
+                super::context::reference_choice(ui, &mut session.materials);
             }
         }
     });
@@ -326,12 +328,6 @@ fn mark_pair(ui: &Ui, cx: &ViewContext<'_>, rect: Rect, light: DVec3) {
         painter.circle_stroke(at, 5.5, (width + 1.5, cx.palette.background));
         painter.circle_stroke(at, 5.5, (width, cx.palette.ink));
     }
-}
-
-/// Where a place of the sphere, in radii, x to the right and y up, is drawn.
-fn position(rect: Rect, [x, y]: [f64; 2]) -> egui::Pos2 {
-    let radius = 0.5 * rect.width() * sphere::RADIUS as f32;
-    rect.center() + radius * Vec2::new(x as f32, -y as f32)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use super::ViewContext;
+use super::super::context::ViewContext;
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{Axis, Chart, Series};
 use crate::widgets::draw;

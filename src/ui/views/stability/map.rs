@@ -5,7 +5,8 @@ use std::sync::Arc;
 use egui::{Align2, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 
-use super::{ViewContext, go_to};
+use super::super::context::{Lines, ViewContext};
+use super::pair::go_to;
 use crate::theme::Palette;
 use crate::widgets::draw;
 use crate::widgets::pictures::{self, ColorScale, ScaleKind};
@@ -13,6 +14,7 @@ use bxdf::math::Real as _;
 use bxdf_lab::analysis::hemisphere::contour;
 use bxdf_lab::stability::map::{Axis, Cell, Map, Request};
 use bxdf_study::format;
+use bxdf_study::memo::Memo;
 use bxdf_study::memo::Same;
 use bxdf_study::session::ErrorUnit;
 
@@ -137,7 +139,8 @@ fn mirror_of(w: DVec3) -> DVec3 {
 
 /// Lines of equal condition number.
 fn draw_kappas(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, map: &Arc<Map>) {
-    let lines = cx.state.kappas.get(Same(Arc::clone(map)), || {
+    let kappas: &mut Memo<Same<Map>, Lines> = cx.state.own(cx.view);
+    let lines = kappas.get(Same(Arc::clone(map)), || {
         let levels: Vec<f64> = KAPPAS.map(f64::from).collect();
         contour::lines(&map.map(|cell| cell.kappa.max(1e-3).log10()), &levels)
     });

@@ -2,19 +2,18 @@
 
 mod formulas;
 mod map;
+mod pair;
 mod worst;
 
 use egui::{RichText, Ui};
 
-use super::{Cursor, ViewContext};
+use super::context::ViewContext;
 use crate::theme;
 use crate::widgets::{choice, draw};
-use bxdf_lab::contract::Witness;
 use bxdf_lab::stability::map::Axis;
 use bxdf_lab::trial::TRIALS;
 use bxdf_study::session::{ErrorUnit, Session, StabilityPlot};
 
-/// The list entry.
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     controls(ui, cx.session);
     match cx.session.views.stability.plot {
@@ -104,15 +103,4 @@ fn formula_choice(ui: &mut Ui, chosen: &mut String) {
     if id != shown.id {
         id.clone_into(chosen);
     }
-}
-
-/// Holds one direction of this pair of the selected material's surface, and points at the other.
-fn go_to(cx: &mut ViewContext<'_>, wo: glam::DVec3, wi: glam::DVec3) {
-    let witness = Witness {
-        text: String::new(),
-        wo: Some(wo),
-        wi: Some(wi),
-    };
-    let selected = cx.session.materials.selected().id();
-    *cx.cursor = Cursor::jump(cx.session, selected, &witness);
 }

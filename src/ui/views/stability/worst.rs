@@ -2,7 +2,8 @@
 
 use egui::{RichText, ScrollArea, Ui};
 
-use super::{ViewContext, go_to};
+use super::super::context::ViewContext;
+use super::pair::go_to;
 use bxdf_lab::stability::{Extreme, Ranking};
 use bxdf_study::format;
 

@@ -2,7 +2,9 @@
 
 use egui::{RichText, ScrollArea, Ui};
 
-use super::{ViewContext, choose, plot};
+use super::super::context::ViewContext;
+use super::chosen::choose;
+use super::plot;
 use bxdf::Material;
 use bxdf_lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
 use bxdf_study::export::Format;

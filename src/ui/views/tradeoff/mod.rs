@@ -1,24 +1,20 @@
 //! The trade-off: error over cost of every choice, and the cheapest that is good enough.
 
 mod advice;
+mod chosen;
 mod plot;
+
+use chosen::{Chosen, look};
 
 use egui::{ProgressBar, RichText, Ui};
 
-use super::{Cursor, ViewContext};
-use crate::theme::{self, Palette};
+use super::context::ViewContext;
+use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
-use bxdf::Material;
-use bxdf_lab::analysis::hemisphere::Comparison;
-use bxdf_lab::contract::Witness;
-use bxdf_lab::tradeoff::{FAMILIES, Point};
+use bxdf_lab::tradeoff::FAMILIES;
 use bxdf_study::measured::{Run, State};
-use bxdf_study::session::{EntryId, MaterialEntry, Materials, TOLERANCE};
-
-/// The list entry.
-/// The choice last clicked at: its family and its place there.
-pub(super) type Chosen = Option<(&'static str, usize)>;
+use bxdf_study::session::TOLERANCE;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let is_wanted = cx.session.views.tradeoff.is_immediate && !cx.data.tradeoff.is_of(cx.session);
@@ -57,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 
 fn start(ui: &Ui, cx: &mut ViewContext<'_>) {
     let wake = ui.ctx().clone();
-    cx.state.chosen = None;
+    *cx.state.own::<Chosen>(cx.view) = None;
     cx.data
         .tradeoff
         .start(cx.session, move || wake.request_repaint());
@@ -159,51 +155,4 @@ fn families(ui: &mut Ui, cx: &mut ViewContext<'_>) {
             });
         }
     });
-}
-
-/// The colour and the mark of the family at `index` of the list.
-fn look(index: usize, palette: &Palette) -> (egui::Color32, egui_plot::MarkerShape) {
-    use egui_plot::MarkerShape::{Circle, Cross, Diamond, Down, Square, Up};
-    let shapes = [Circle, Square, Diamond, Up, Down, Cross];
-    let shape = shapes.get(index % shapes.len()).copied().unwrap_or(Circle);
-    (palette.kind(index), shape)
-}
-
-/// The entry of the list with the lobes of `material`, whatever its name.
-fn entry_of(materials: &Materials, material: &Material) -> Option<EntryId> {
-    let mut entries = materials.iter();
-    let is_it = |entry: &&MaterialEntry| entry.material.components() == material.components();
-    entries.find(is_it).map(MaterialEntry::id)
-}
-
-/// Makes `point` a material beside the one that was measured, in every view, with the difference between the two where it
-/// is largest.
-fn choose(cx: &mut ViewContext<'_>, point: &Point, measured: &Material) {
-    let materials = &mut cx.session.materials;
-    let original = entry_of(materials, measured);
-    let mut shown = original.unwrap_or_else(|| materials.selected().id());
-    if let Some(material) = &point.material
-        && material != measured
-    {
-        let mut named = material.clone();
-        named.name = format!("{}: {}", measured.title(), point.choice);
-        // Where there is no room for one more, the list says so itself.
-        let known = entry_of(materials, material);
-        if let Some(entry) = known.or_else(|| materials.add(named).ok()) {
-            materials.select(entry);
-            shown = entry;
-        }
-        if let Some(original) = original {
-            materials.compare_with(original);
-            cx.session.views.hemisphere.comparison = Comparison::Difference;
-        }
-    }
-    if let Some(worst) = point.worst {
-        let witness = Witness {
-            text: String::new(),
-            wo: Some(worst.wo),
-            wi: Some(worst.wi),
-        };
-        *cx.cursor = Cursor::jump(cx.session, shown, &witness);
-    }
 }

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use egui::{Rect, Sense, Ui, vec2};
 
-use super::{ViewContext, choose, look};
+use super::super::context::ViewContext;
+use super::chosen::{Chosen, choose, look};
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{Axis, Chart, Dots, Mark, Series};
 use crate::widgets::{draw, handle};
@@ -81,7 +82,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
     }
     let shown = chart.show(ui, None, cx.palette);
     drag_tolerance(ui, cx, &chart, &shown);
-    if let Some((family, index)) = cx.state.chosen {
+    if let Some((family, index)) = *cx.state.own::<Chosen>(cx.view) {
         let chosen = report.families.iter().find(|one| one.id == family);
         if let Some(point) = chosen.and_then(|family| family.points.get(index)) {
             let at = chart.position_of(&shown, place(point));
@@ -109,7 +110,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
         );
     }
     if shown.response.clicked() {
-        cx.state.chosen = Some((family.id, number));
+        *cx.state.own::<Chosen>(cx.view) = Some((family.id, number));
         choose(cx, point, &report.material);
     }
 }

@@ -1,14 +1,16 @@
 //! The list of materials: which there are, which are seen, which is selected, in which order.
 
-use egui::{Id, Key, Modifiers, Rect, ScrollArea, Ui, UiBuilder};
+use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::theme::{self, Palette};
+use action::{Action, grip_id, row_id};
 use bxdf::error::Result;
 use bxdf_lab::contract::Witness;
 use bxdf_study::data::Data;
 use bxdf_study::session::{EntryId, Materials};
 use row::Row;
 
+mod action;
 mod row;
 
 /// The share of the panel's height that the list may take; the rest is for the picker and the parameters.
@@ -21,33 +23,6 @@ pub struct MaterialList {
     renaming: Option<(EntryId, String)>,
     /// The selected material, as the list last showed it.
     scrolled_to: Option<EntryId>,
-}
-
-/// What is to become of a material of the list.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Action {
-    /// Edit it in the panels.
-    Select,
-    /// Show it, or do not.
-    SetVisible(bool),
-    /// Show it alone, or together with the others.
-    SetSolo(bool),
-    /// Type its name.
-    StartRenaming,
-    /// Go on typing.
-    Type(String),
-    /// Take over what was typed, or forget it.
-    EndRenaming(bool),
-    /// Add another one like it.
-    Duplicate,
-    /// Move it to this place.
-    MoveTo(usize),
-    /// Copy it as text.
-    Copy,
-    /// Remove it.
-    Remove,
-    /// Select it and hold the directions where it breaks a law.
-    Inspect(Witness),
 }
 
 impl MaterialList {
@@ -175,24 +150,4 @@ fn dragged_to(ui: &Ui, materials: &Materials, rects: &[Rect]) -> Option<(EntryId
     let place = rects.iter().filter(is_above).count();
     let place = place.min(materials.count() - 1);
     (materials.position(entry.id()) != Some(place)).then_some((entry.id(), place))
-}
-
-/// The id of a material's row.
-fn row_id(id: EntryId) -> Id {
-    Id::unique(("row", id))
-}
-
-/// The id of the grip of a material's row: it stays the same when the row moves.
-fn grip_id(id: EntryId) -> Id {
-    row_id(id).with("grip")
-}
-
-/// Whether `key` was pressed while the focus is on `response`, with Alt where `is_alt`.
-fn is_pressed(ui: &Ui, response: &egui::Response, key: Key, is_alt: bool) -> bool {
-    let modifiers = if is_alt {
-        Modifiers::ALT
-    } else {
-        Modifiers::NONE
-    };
-    response.has_focus() && ui.input_mut(|input| input.consume_key(modifiers, key))
 }

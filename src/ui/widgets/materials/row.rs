@@ -6,7 +6,7 @@ use egui::{
     WidgetInfo, vec2,
 };
 
-use super::{Action, grip_id, is_pressed};
+use super::action::{Action, grip_id, is_pressed};
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::badges::Badges;
 use crate::widgets::draw;

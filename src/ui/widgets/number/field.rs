@@ -8,8 +8,9 @@ use egui::{
     TextEdit, Ui, UiBuilder, WidgetInfo, emath, vec2,
 };
 
+use super::described::{LOGARITHMIC_SPEED, Number, Shown};
+use super::late;
 use super::work::{self, Work};
-use super::{LOGARITHMIC_SPEED, Number, Shown, late};
 use crate::theme;
 use bxdf_study::number::plain;
 

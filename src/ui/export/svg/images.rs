@@ -1,0 +1,26 @@
+//! The pictures in a drawing.
+
+use std::sync::Arc;
+
+use egui::ColorImage;
+
+use crate::headless;
+use bxdf::error::Result;
+
+/// A picture as the bytes of a PNG file.
+///
+/// # Errors
+/// [`Error::Platform`] where it cannot be encoded.
+pub(super) fn png_of(image: &ColorImage) -> Result<Vec<u8>> {
+    let [width, height] = image.size.map(|side| side as u32);
+    let bytes = image
+        .pixels
+        .iter()
+        .flat_map(egui::Color32::to_srgba_unmultiplied);
+    headless::encoded(
+        &image::RgbaImage::from_raw(width, height, bytes.collect()).unwrap_or_default(),
+    )
+}
+
+/// The picture behind a texture, if it is one of the views'.
+pub(super) type ImageOf<'a> = &'a dyn Fn(egui::TextureId) -> Option<Arc<ColorImage>>;

@@ -1,0 +1,210 @@
+//! What views draw with, what they keep between frames, and what several of them draw alike.
+
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use egui::Ui;
+use glam::DVec3;
+
+use crate::theme::{Dash, Palette};
+use crate::widgets::chart::{self, Axis, Mark};
+use crate::widgets::pictures::{ColorScale, Textures};
+use crate::widgets::{choice, deltas as widgets_deltas, draw};
+use bxdf_lab::analysis::hemisphere::Map;
+use bxdf_lab::analysis::{Hold, deltas, polar as section};
+use bxdf_study::cursor::Cursor;
+use bxdf_study::data::Data;
+use bxdf_study::export::Format;
+use bxdf_study::memo::{Memo, Same};
+use bxdf_study::session::{EntryId, Materials, Session, ViewId};
+use bxdf_study::views::ViewKind;
+
+/// What a view draws with.
+pub struct ViewContext<'a> {
+    /// The view.
+    pub view: &'static ViewKind,
+    /// What to show; gestures change it.
+    pub session: &'a mut Session,
+    /// The data of the session.
+    pub data: &'a mut Data,
+    /// What the views keep between frames.
+    pub state: &'a mut ViewState,
+    /// The direction last pointed at, which every view shows; set by the view that has the pointer.
+    pub cursor: &'a mut Option<Cursor>,
+    /// The colours.
+    pub palette: &'a Palette,
+}
+
+/// What views keep between frames; nothing of it is worth saving.
+#[derive(Default)]
+pub struct ViewState {
+    is_dragging: bool,
+    kept_lower_half: Option<bool>,
+    pub(super) textures: Textures,
+    contours: HashMap<EntryId, Memo<(Same<Map>, ColorScale), Lines>>,
+    /// What each kind of view keeps for itself.
+    own: HashMap<(&'static str, TypeId), Box<dyn Any>>,
+    /// Whether a picture is made, in which nobody can click.
+    pub(crate) is_picture: bool,
+    /// A file that a view asks to be written.
+    pub(super) wished_file: Option<(ViewId, Format)>,
+}
+
+/// Lines of equal value, as places of a picture.
+pub(super) type Lines = Vec<Vec<[f64; 2]>>;
+
+impl ViewContext<'_> {
+    /// The pair of directions that the pointer was at last, wo and wi; the mirror direction before it was anywhere.
+    pub(super) fn pair(&self) -> (DVec3, DVec3) {
+        let held = self.session.held();
+        let mirror = DVec3::new(-held.x, -held.y, held.z);
+        let free = self.cursor.map_or(mirror, |cursor| cursor.direction);
+        match self.session.hold {
+            Hold::Light => (free, held),
+            Hold::Viewer => (held, free),
+        }
+    }
+
+    /// Holds one direction of this pair, and points at the other.
+    pub(super) fn hold_pair(&mut self, wo: DVec3, wi: DVec3) {
+        let (held, free) = match self.session.hold {
+            Hold::Light => (wi, wo),
+            Hold::Viewer => (wo, wi),
+        };
+        self.session.set_held(held);
+        *self.cursor = Some(Cursor {
+            material: self.session.materials.selected().id(),
+            direction: free,
+        });
+    }
+}
+
+/// The directions of the section that have names.
+pub(super) fn section_marks(session: &Session, palette: &Palette) -> Vec<Mark> {
+    let azimuth = session.section_azimuth_deg().to_radians();
+    let held = section::signed_angle(session.held(), azimuth).to_degrees();
+    let dash = if session.section_holds_held() {
+        Dash::Solid
+    } else {
+        Dash::Dashed
+    };
+    let mark = |name: &str, at: f64, color, dash| Mark {
+        name: name.to_owned(),
+        at,
+        color,
+        dash,
+    };
+    vec![
+        mark(session.held_name(), held, palette.held(session.hold), dash),
+        mark("mirror", -held, palette.mirror, Dash::Dashed),
+        mark("n", 0.0, palette.faint_ink, Dash::Dotted),
+    ]
+}
+
+/// A delta in a chart over the free direction's angle; `outside` says where one is that lies elsewhere.
+pub(super) fn chart_stem(
+    stem: &deltas::Stem,
+    of: &str,
+    color: egui::Color32,
+    outside: &str,
+) -> chart::Stem {
+    let share = stem.share();
+    let place = if stem.is_inside { "" } else { outside };
+    chart::Stem {
+        name: format!("{}{place}", widgets_deltas::label(share)),
+        of: of.to_owned(),
+        at: stem.x_deg,
+        share,
+        color,
+        dash: if stem.is_inside {
+            Dash::Solid
+        } else {
+            Dash::Dashed
+        },
+    }
+}
+
+/// What is said of deltas that a section does not hold.
+pub(super) const OUTSIDE_SECTION: &str = ", outside this section";
+
+/// The axis upwards where all light is in deltas: their shares.
+pub(super) fn share_axis(shares: impl Iterator<Item = f64>) -> Axis {
+    let (least, largest) = shares.fold((0.0_f64, 1.0_f64), |(low, high), share| {
+        (low.min(share), high.max(share))
+    });
+    Axis::of_values("share of the flux", [least, largest], None)
+}
+
+/// The choice of the material that others are compared with.
+pub(super) fn reference_choice(ui: &mut Ui, materials: &mut Materials) {
+    let hint = "The material that the others are compared with";
+    let mut chosen = materials.reference().id();
+    let title = materials.title(materials.reference());
+    let shown = draw::clipped(&title, LONGEST_REFERENCE);
+    choice::named_combo(ui, ("Reference", "with", hint), &shown, |ui| {
+        for entry in materials.iter() {
+            ui.selectable_value(&mut chosen, entry.id(), materials.title(entry));
+        }
+    });
+    if chosen != materials.reference().id() {
+        materials.compare_with(chosen);
+    }
+}
+
+/// The most characters of the name of the reference.
+const LONGEST_REFERENCE: usize = 18;
+
+impl ViewState {
+    /// To be called before the views of a frame are drawn.
+    pub fn begin_frame(&mut self) {
+        self.textures.begin_frame();
+        if !std::mem::take(&mut self.is_dragging) {
+            self.kept_lower_half = None;
+        }
+    }
+
+    /// What `view` keeps for itself, of this type; at first its default.
+    pub(super) fn own<T: Default + 'static>(&mut self, view: &ViewKind) -> &mut T {
+        let kept = self.own.entry((view.id, TypeId::of::<T>()));
+        let kept = kept.or_insert_with(|| Box::new(T::default()));
+        kept.downcast_mut()
+            .unwrap_or_else(|| unreachable!("it is kept by its type"))
+    }
+
+    /// The file that a view asks to be written; told once.
+    pub fn take_wished_file(&mut self) -> Option<(ViewId, Format)> {
+        self.wished_file.take()
+    }
+
+    /// The contours of a map in a scale, computed anew only where one of them is another one.
+    pub(super) fn contours(
+        &mut self,
+        entry: EntryId,
+        map: &Arc<Map>,
+        scale: ColorScale,
+        compute: impl FnOnce(&Map) -> Lines,
+    ) -> Arc<Lines> {
+        let key = (Same(Arc::clone(map)), scale);
+        let memo = self.contours.entry(entry).or_default();
+        memo.get(key, || compute(map))
+    }
+
+    /// The picture behind a texture, if it is one of the views'.
+    pub(crate) fn image(&self, id: egui::TextureId) -> Option<Arc<egui::ColorImage>> {
+        self.textures.image(id)
+    }
+
+    /// Whether the views show what is below the surface. While the held direction is dragged they stay as they were:
+    /// a plot that rearranged itself under the pointer would make the angle jump.
+    pub(super) fn shows_lower_half(&self, session: &Session) -> bool {
+        self.kept_lower_half
+            .unwrap_or_else(|| session.shows_lower_half())
+    }
+
+    /// Keeps the arrangement `has_lower` through the next frame.
+    pub(super) fn keep_arrangement(&mut self, has_lower: bool) {
+        self.is_dragging = true;
+        self.kept_lower_half = Some(has_lower);
+    }
+}

@@ -1,0 +1,21 @@
+//! Where directions lie on the disc.
+
+use egui::Rect;
+use glam::DVec3;
+
+use crate::widgets::pictures;
+use bxdf_study::session::Session;
+
+/// Room for labels around a disc, in points.
+pub(super) const LABELS: f32 = 15.0;
+
+/// A place of the unit disc in the picture, x to the right and y up, as a share from its upper left; and back.
+pub(super) fn mirrored([x, y]: [f64; 2]) -> [f64; 2] {
+    [0.5 + 0.5 * x, 0.5 - 0.5 * y]
+}
+
+/// Where a direction lies in a picture.
+pub(super) fn position(rect: Rect, w: DVec3, session: &Session) -> egui::Pos2 {
+    let place = session.views.hemisphere.projection.place(w);
+    pictures::position_of(rect, mirrored(place))
+}

@@ -1,0 +1,27 @@
+//! What is drawn of all materials shown: their samples, each in the colour of its material.
+
+use std::sync::Arc;
+
+use egui::Color32;
+
+use super::super::context::ViewContext;
+use bxdf_lab::analysis::sampling::Study;
+use bxdf_study::session::{EntryId, MaterialEntry};
+
+/// The samples of every material shown.
+pub(super) fn studies(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Study>)> {
+    let (session, data) = (&*cx.session, &mut *cx.data);
+    let study = |entry: &MaterialEntry| {
+        (
+            entry.id(),
+            data.ask(session, entry, session.sampling_request()),
+        )
+    };
+    session.materials.shown().map(study).collect()
+}
+
+/// The colour of a material.
+pub(super) fn color_of(cx: &ViewContext<'_>, entry: EntryId) -> Color32 {
+    let found = cx.session.materials.get(entry);
+    found.map_or(cx.palette.ink, |entry| cx.palette.material(entry.slot()))
+}
