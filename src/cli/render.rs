@@ -155,7 +155,7 @@ pub(super) fn drawn(
         only: view,
         size: request.size,
         scale: request.scale as f32,
-        theme: bxdf_ui::theme::of_egui(request.theme.unwrap_or_default()),
+        theme: bxdf_ui::theme::as_drawn(request.theme.unwrap_or_default()),
     };
     bxdf_ui::export::bytes(picture, format)
 }

@@ -33,11 +33,12 @@ impl<'a> Package<'a> {
     /// comments.
     pub fn new(files: &[(&'a str, String, String)]) -> Self {
         let modules = files.iter().map(|(inside, path, code)| {
+            let (uses, code) = uses(code);
             let module = Module {
                 path: path.clone(),
-                uses: uses(code),
-                paths: paths(code),
-                defined: defined(code),
+                uses,
+                paths: paths(&code),
+                defined: defined(&code),
             };
             (name_of(inside), module)
         });
@@ -208,27 +209,27 @@ fn name_of(inside: &str) -> Vec<&str> {
     parts
 }
 
-/// The paths that `use` names, and whether it is public.
-fn uses(code: &str) -> Vec<(Vec<String>, bool)> {
-    let mut found = Vec::new();
+/// The statements of `use` in the code, by what they name and whether they are public, and the code without them.
+fn uses(code: &str) -> (Vec<(Vec<String>, bool)>, String) {
+    let (mut found, mut others) = (Vec::new(), String::new());
     let mut rest = code;
     while let Some((line, after)) = rest.split_once('\n') {
-        let (word, statement) = line.trim().split_once("use ").unwrap_or(("no", ""));
+        let (word, _) = line.trim_start().split_once("use ").unwrap_or(("no", ""));
         let is_public = word.starts_with("pub") && word.ends_with(' ');
-        if word.is_empty() || is_public {
-            let start = rest.len() - rest.trim_start().len() + word.len() + "use ".len();
-            let tree = rest.get(start..).and_then(|rest| rest.split(';').next());
-            let mut paths = Vec::new();
-            expand(
-                tree.unwrap_or(statement).trim(),
-                &mut Vec::new(),
-                &mut paths,
-            );
-            found.extend(paths.into_iter().map(|path| (path, is_public)));
+        if !word.is_empty() && !is_public {
+            others.push_str(line);
+            others.push('\n');
+            rest = after;
+            continue;
         }
+        let (statement, after) = rest.split_once(';').unwrap_or((rest, ""));
+        let tree = statement.split_once("use ").map_or("", |(_, tree)| tree);
+        let mut paths = Vec::new();
+        expand(tree.trim(), &mut Vec::new(), &mut paths);
+        found.extend(paths.into_iter().map(|path| (path, is_public)));
         rest = after;
     }
-    found
+    (found, others + rest)
 }
 
 /// The paths of a tree as `a::{b, c::d as e}`.

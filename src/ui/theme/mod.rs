@@ -21,9 +21,9 @@ pub const fn chosen(theme: Theme) -> colors::Theme {
     }
 }
 
-/// The theme, as egui names it.
+/// The theme, as it is drawn.
 #[must_use]
-pub const fn of_egui(theme: colors::Theme) -> Theme {
+pub const fn as_drawn(theme: colors::Theme) -> Theme {
     match theme {
         colors::Theme::Dark => Theme::Dark,
         colors::Theme::Light => Theme::Light,
