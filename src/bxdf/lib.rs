@@ -39,6 +39,11 @@ pub use spec::{
     Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side, StandIn,
 };
 
+/// The examples of the readme, which run with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+struct Readme;
+
 use batch::{Job, Path};
 use math::{Real, Vec3};
 use optics::Spectrum;
