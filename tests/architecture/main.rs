@@ -162,20 +162,23 @@ fn names_are_found_in_paths_and_lists() {
     assert!(found.iter().eq(["analysis", "bxdf", "lab", "ui"]));
 }
 
+/// The files of the package in `folder`: path in the package, path in the repository, code.
+fn files_of<'a>(sources: &'a [SourceFile], folder: &str) -> Vec<(&'a str, String, String)> {
+    let is_source = |file: &&SourceFile| file.package() == folder && !file.is_test();
+    let files = sources.iter().filter(is_source);
+    let parts = files.map(|file| {
+        let inside = file.path.strip_prefix(folder).unwrap();
+        (inside, file.path.clone(), file.tested())
+    });
+    parts.collect()
+}
+
 #[test]
 fn no_file_leads_back_to_itself() {
     let sources = sources();
     let mut problems = Vec::new();
     for folder in PACKAGES.into_iter().filter(|folder| *folder != TIED) {
-        let is_source = |file: &&SourceFile| file.package() == folder && !file.is_test();
-        let files: Vec<_> = sources
-            .iter()
-            .filter(is_source)
-            .map(|file| {
-                let inside = file.path.strip_prefix(folder).unwrap();
-                (inside, file.path.clone(), file.tested())
-            })
-            .collect();
+        let files = files_of(&sources, folder);
         let package = imports::Package::new(&files);
         let named: BTreeMap<_, _> = package.named();
         assert!(
@@ -187,6 +190,48 @@ fn no_file_leads_back_to_itself() {
         }
     }
     assert!(problems.is_empty(), "circles:\n{}", problems.join("\n"));
+}
+
+/// Rooms of the packages that have an order, each after those that it may name; what stands in none of them may name all.
+const ROOMS: [&[&str]; 2] = [
+    &["src/lab/analysis/", "src/lab/"],
+    &[
+        "src/ui/scene3d/",
+        "src/ui/theme/",
+        "src/ui/widgets/",
+        "src/ui/views/",
+        "src/ui/tiles.rs",
+        "src/ui/app/",
+        "src/ui/commands/",
+        "src/ui/shell.rs",
+        "src/ui/headless.rs",
+        "src/ui/export/",
+        "src/ui/window.rs",
+    ],
+];
+
+#[test]
+fn rooms_name_only_those_before_them() {
+    let sources = sources();
+    for rooms in ROOMS {
+        let rank = |path: &str| rooms.iter().position(|room| path.starts_with(room));
+        let folder = PACKAGES
+            .into_iter()
+            .find(|folder| rooms[0].starts_with(folder))
+            .unwrap();
+        let files = files_of(&sources, folder);
+        let package = imports::Package::new(&files);
+        let mut checked = 0;
+        for (file, others) in package.named() {
+            for other in others {
+                if let (Some(own), Some(named)) = (rank(file), rank(other)) {
+                    assert!(named <= own, "{file} names {other}");
+                    checked += 1;
+                }
+            }
+        }
+        assert!(checked > 20, "{checked}");
+    }
 }
 
 #[test]

@@ -42,6 +42,9 @@ fn single_keys_change_how_things_are_shown() {
     assert!(session.with_cosine && session.show_geometry && session.curves == Curves::Rgb);
 }
 
+/// Points of the text that is said: a line is higher by less than as much again.
+const FONT_SIZE: f32 = 14.0;
+
 #[test]
 fn what_a_single_key_did_is_said_for_two_seconds() {
     let mut harness = window_of(&["gold", "phong"]);
@@ -57,7 +60,9 @@ fn what_a_single_key_did_is_said_for_two_seconds() {
         (Key::R, "Not possible now: Luminance, or R, G and B"),
     ] {
         press(&mut harness, Modifiers::NONE, key);
-        assert!(harness.query_by_label(said).is_some(), "{said}");
+        let line = harness.query_by_label(said);
+        let height = line.unwrap_or_else(|| panic!("{said}")).rect().height();
+        assert!(height < 2.0 * FONT_SIZE, "{said} is {height} high");
     }
     // A frame is a quarter of a second.
     let said = "Logarithmic radius: on";

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use egui::{Align2, Area, Context, Frame, Id, Order, Rect, vec2};
+use egui::{Align2, Area, Context, Frame, Id, Label, Order, Rect, vec2};
 
 /// For how long it is said, in seconds.
 const SECONDS: f64 = 2.0;
@@ -41,7 +41,8 @@ impl Said {
             .pivot(Align2::CENTER_BOTTOM)
             .fixed_pos(room.center_bottom() - vec2(0.0, ABOVE_EDGE))
             .show(ctx, |ui| {
-                Frame::popup(ui.style()).show(ui, |ui| ui.label(&line.text));
+                // The area keeps the width of what was said before: a longer line is not broken for that.
+                Frame::popup(ui.style()).show(ui, |ui| ui.add(Label::new(&line.text).extend()));
             });
     }
 }
