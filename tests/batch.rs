@@ -6,12 +6,12 @@
     reason = "a test's own helpers may fail as loudly as the test"
 )]
 
+use brdf_explorer::bxdf::Rotated;
 use brdf_explorer::bxdf::batch::{Job, Path};
 use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::optics::Spectrum;
-use brdf_explorer::bxdf::rotated::Rotated;
 use brdf_explorer::bxdf::{Bxdf, Material, Precision};
 
 /// Directions of a spiral over the sphere, `n` of them, as components.
@@ -25,7 +25,7 @@ fn spiral<R: Real>(n: usize, turn: f64) -> [Vec<R>; 3] {
     [0, 1, 2].map(|axis: usize| (0..n).map(|i| R::of(at(i)[axis])).collect())
 }
 
-fn batches_give_what_single_calls_give<R: Precision + Real<Stored = R>>(n: usize) {
+fn batches_give_what_single_calls_give<R: Precision>(n: usize) {
     let (wo, wi) = (spiral::<R>(n, 2.4), spiral::<R>(n, 1.7));
     let numbers = spiral::<R>(n, 0.9).map(|axis| {
         let half = R::of(0.4999);

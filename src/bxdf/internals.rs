@@ -1,8 +1,29 @@
-//! What the labs look at inside the models, and nobody else needs: no part of the interface, and free to change.
+//! What the labs, the document and the command line look at inside the models, and nobody else needs: no part of the
+//! interface, and free to change.
+
+pub use crate::glossy::cosine_power;
+pub use crate::math::library::Libm;
+pub use crate::math::quadrature::gauss_legendre;
+pub use crate::microfacet::{Normals, ggx, gtr1};
+pub use crate::optics::conductor::Conductor;
+pub use crate::optics::diffuse_fresnel::diffuse_transmittance;
+pub use crate::sample_deltas;
 
 use crate::math::{Real, Vec3};
 use crate::models::eon;
 use crate::param::ParamSet;
+
+/// Fresnel's equations and what is taken for them.
+pub mod fresnel {
+    pub use crate::optics::fresnel::*;
+}
+
+/// Text from files, in whatever encoding.
+#[cfg(feature = "files")]
+pub mod files {
+    pub use crate::encoding::utf8;
+    pub use crate::files::{MAX_TEXT, in_words, read_bytes, require_fit, text_at, text_of};
+}
 
 /// The part of the energy-preserving Oren-Nayar model's compensation that loses digits in the textbook's form.
 #[inline(always)]

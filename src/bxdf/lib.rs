@@ -16,25 +16,33 @@
 //!   arriving along `wi` that leaves; at most 1 where energy is conserved.
 
 pub mod batch;
-pub mod delta_only;
+mod catalogue;
+mod delta_only;
+#[cfg(feature = "files")]
+mod encoding;
 pub mod error;
-pub mod glossy;
+#[cfg(feature = "files")]
+mod files;
+mod glossy;
 #[doc(hidden)]
 pub mod internals;
 pub mod material;
-
 pub mod math;
-pub mod microfacet;
+mod microfacet;
 pub mod models;
 pub mod optics;
 pub mod param;
-pub mod rotated;
-pub mod single;
+mod rotated;
 pub mod spec;
 pub mod table;
 
+pub use catalogue::Catalogue;
 pub use error::{Error, Result};
 pub use material::{Component, Material};
+pub use math::{Real, Vec3};
+pub use optics::Spectrum;
+pub use param::{ParamSet, ParamSpec, Value};
+pub use rotated::Rotated;
 pub use spec::{
     Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side, StandIn,
 };
@@ -45,8 +53,6 @@ pub use spec::{
 struct Readme;
 
 use batch::{Job, Path};
-use math::{Real, Vec3};
-use optics::Spectrum;
 
 /// A scattering model at one set of parameters: a BRDF, a BTDF or both, in precision `R`.
 ///
@@ -121,9 +127,8 @@ pub trait Bxdf<R: Real>: Send + Sync {
     }
 
     /// Computes `job` for a whole batch: the same results, element by element, in one call.
-    #[inline(always)]
-    fn batch(&self, path: Path, job: Job<'_, R::Stored>) {
-        batch::run(self, path, job);
+    fn batch(&self, _path: Path, job: Job<'_, R>) {
+        batch::plain(self, job);
     }
 
     /// The Dirac delta lobes of `w`, at most one to either side; none for most models.

@@ -33,11 +33,11 @@ impl<R: Real> Rotated<R> {
     }
 
     /// [`Self::local_from_fixed`] of many: their components along s and t, that along n staying as it is.
-    fn all_local<'a>(&self, [x, y, z]: Directions<'a, R::Stored>) -> Local<'a, R> {
+    fn all_local<'a>(&self, [x, y, z]: Directions<'a, R>) -> Local<'a, R> {
         let given = x.iter().zip(y);
         let turned = given.map(|(x, y)| {
-            let w = self.local_from_fixed(Vec3::new(R::load(*x), R::load(*y), R::zero()));
-            [w.x.store(), w.y.store()]
+            let w = self.local_from_fixed(Vec3::new(*x, *y, R::zero()));
+            [w.x, w.y]
         });
         Local {
             turned: Columns::from_rows(turned),
@@ -46,10 +46,10 @@ impl<R: Real> Rotated<R> {
     }
 
     /// [`Self::fixed_from_local`] of the first `n`, in their place.
-    fn turn_back(&self, n: usize, x: &mut [R::Stored], y: &mut [R::Stored]) {
+    fn turn_back(&self, n: usize, x: &mut [R], y: &mut [R]) {
         for (x, y) in x.iter_mut().zip(y).take(n) {
-            let w = self.fixed_from_local(Vec3::new(R::load(*x), R::load(*y), R::zero()));
-            (*x, *y) = (w.x.store(), w.y.store());
+            let w = self.fixed_from_local(Vec3::new(*x, *y, R::zero()));
+            (*x, *y) = (w.x, w.y);
         }
     }
 
@@ -66,19 +66,19 @@ impl<R: Real> Rotated<R> {
 /// Directions in the surface's own frame.
 struct Local<'a, R: Real> {
     /// Their components along s and t.
-    turned: Columns<R::Stored, 2>,
-    z: &'a [R::Stored],
+    turned: Columns<R, 2>,
+    z: &'a [R],
 }
 
 impl<R: Real> Local<'_, R> {
-    fn directions(&self) -> Directions<'_, R::Stored> {
+    fn directions(&self) -> Directions<'_, R> {
         let [x, y] = self.turned.slices();
         [x, y, self.z]
     }
 }
 
 impl<R: Real> Bxdf<R> for Rotated<R> {
-    fn batch(&self, path: Path, job: Job<'_, R::Stored>) {
+    fn batch(&self, path: Path, job: Job<'_, R>) {
         let n = job.len();
         match job {
             Job::F { wo, wi, f } => {

@@ -5,9 +5,9 @@ use std::fmt;
 use xprec::Df64;
 
 use super::Bxdf;
-use super::math::{Fast, Real, Vec3};
+use super::math::library::Libm;
+use super::math::{Real, Vec3};
 use super::param::{ParamSet, ParamSpec, Value};
-use super::single::Single;
 use crate::error::Result;
 
 /// The kind of reflection a lobe belongs to.
@@ -239,14 +239,27 @@ pub struct StandIn {
 /// The constructors of a model, one per precision: the same generic function each time.
 #[derive(Clone, Copy)]
 pub struct Builders {
-    /// In `f32`, with polynomials for the elementary functions.
-    pub f32: fn(&ParamSet) -> Box<dyn Bxdf<Fast<f32>>>,
-    /// In `f32`, with the elementary functions of the system's library: to measure what the polynomials change.
-    pub library: fn(&ParamSet) -> Box<dyn Bxdf<f32>>,
+    /// In `f32`.
+    pub f32: fn(&ParamSet) -> Box<dyn Bxdf<f32>>,
+    /// In `f32` with the elementary functions of the system's library: to measure what the polynomials change.
+    pub library: fn(&ParamSet) -> Box<dyn Bxdf<Libm>>,
     /// In `f64`.
     pub f64: fn(&ParamSet) -> Box<dyn Bxdf<f64>>,
     /// In the reference precision.
     pub reference: fn(&ParamSet) -> Box<dyn Bxdf<Df64>>,
+}
+
+/// The [`Builders`] of a model: one generic function in every precision.
+#[macro_export]
+macro_rules! builders {
+    ($build:expr) => {
+        $crate::Builders {
+            f32: $build,
+            library: $build,
+            f64: $build,
+            reference: $build,
+        }
+    };
 }
 
 /// A precision that models can be built in.
@@ -257,13 +270,13 @@ pub trait Precision: Real {
 
 impl Precision for f32 {
     fn build(builders: &Builders, params: &ParamSet) -> Box<dyn Bxdf<Self>> {
-        Box::new(Single((builders.f32)(params)))
+        (builders.f32)(params)
     }
 }
 
-impl Precision for Fast<f32> {
+impl Precision for Libm {
     fn build(builders: &Builders, params: &ParamSet) -> Box<dyn Bxdf<Self>> {
-        (builders.f32)(params)
+        (builders.library)(params)
     }
 }
 

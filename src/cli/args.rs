@@ -9,10 +9,9 @@ use xprec::Df64;
 use super::say::say;
 use bxdf::Material;
 use bxdf::error::{Error, Result, shown};
-use bxdf::material::{self, library};
+use bxdf::material::library;
 use bxdf::math::Real;
 use bxdf_lab::contract::check_energy;
-use bxdf_study::files;
 
 /// The word that stands for standard input or output.
 pub(super) const STANDARD_STREAM: &str = "-";
@@ -51,90 +50,19 @@ impl Given {
     }
 }
 
-/// What a file of a material is.
-const MATERIAL_FILE: &str = "a material is read from TOML text (.toml) with [[lobes]]";
-
 /// The parser of materials, which may be paths that are no text.
 pub(super) fn material() -> impl TypedValueParser<Value = Given> {
     OsStringValueParser::new().try_map(|given| read_material(&given))
 }
 
-/// Reads a material: the id of a model, `id:name=value,name=value`, the id of a named material, or the path of a material
-/// file, whatever its name ends in.
+/// Reads what [`Material::open`] opens.
 fn read_material(given: &OsStr) -> Result<Given> {
-    let path = Path::new(given);
     let text = given.to_string_lossy().into_owned();
-    let is_text = given.to_str().is_some();
-    if is_text && library::is_known(&text) {
-        return Ok(Given {
-            material: library::read(&text)?,
-            text,
-            is_file: false,
-        });
-    }
-    if path.exists() || is_path(path) {
-        return Ok(Given {
-            material: material_at(path)?,
-            text,
-            is_file: true,
-        });
-    }
-    Err(if is_text {
-        // It names what is nearest.
-        library::unknown(&text)
-    } else {
-        let problem = "there is no such file, and other names are UTF-8 text";
-        Error::parse(format!("material '{}'", shown(&text)), problem)
+    Ok(Given {
+        material: Material::open(given)?,
+        is_file: !library::is_known(&text),
+        text,
     })
-}
-
-/// Whether the path ends as those of material files do.
-fn ends_in_toml(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
-}
-
-/// Whether a name that nothing has can only have been meant as a path.
-fn is_path(path: &Path) -> bool {
-    let is_assigned = path.to_string_lossy().contains(':');
-    ends_in_toml(path) || (path.components().count() > 1 && !is_assigned)
-}
-
-/// Reads the material file at `path`.
-fn material_at(path: &Path) -> Result<Material> {
-    let place = path.display().to_string();
-    let text = text_at(path, MATERIAL_FILE)?;
-    material::file::parse(&text, &place).map_err(|error| match error {
-        Error::Parse { place, problem } if !ends_in_toml(path) => {
-            Error::parse(place, format!("{problem}; {MATERIAL_FILE}"))
-        }
-        other => other,
-    })
-}
-
-/// Reads the text of a file; `wanted` says what one is where there is none.
-///
-/// # Errors
-/// Where it cannot be read, is longer than [`files::MAX_TEXT`], and where there is no text in it.
-pub(super) fn text_at(path: &Path, wanted: &str) -> Result<String> {
-    let refused = |problem: &str| {
-        let problem = format!("{problem}; {wanted}");
-        Err(Error::parse(path.display().to_string(), problem))
-    };
-    if path.is_dir() {
-        return refused("is a folder");
-    }
-    let text = match files::text_at(path) {
-        Err(Error::Parse { .. }) => return refused("holds no text"),
-        text => text?,
-    };
-    if text.contains('\0') {
-        return refused("holds no text");
-    }
-    if text.trim().is_empty() {
-        return refused("is empty");
-    }
-    Ok(text)
 }
 
 /// A precision, by name.

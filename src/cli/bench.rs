@@ -7,9 +7,8 @@ use serde::Serialize;
 
 use super::args::{self, Given, PrecisionName};
 use super::{check, input, output};
+use bxdf::Catalogue;
 use bxdf::error::{self, Error, Result, shown};
-use bxdf::math::Real;
-use bxdf::models::MODELS;
 use bxdf::{Material, Precision, Side, batch};
 use bxdf_lab::control::Control;
 use bxdf_lab::speed::{Mode, Operation, PAIRS, Pairs, Row, measure};
@@ -66,7 +65,7 @@ struct Report {
 pub(super) fn run(arguments: &Arguments) -> Result<()> {
     let file = arguments.pairs.as_deref().map(read).transpose()?;
     let materials: Vec<(&str, Material)> = if arguments.materials.is_empty() {
-        let models = MODELS.into_iter();
+        let models = Catalogue::current().models().iter().copied();
         models
             .map(|model| (model.id, Material::of(model)))
             .collect()
@@ -104,7 +103,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
     }
 }
 
-fn rows_of<R: Precision + Real<Stored = R>>(
+fn rows_of<R: Precision>(
     text: &str,
     material: &Material,
     modes: &[Mode],

@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use super::args::{self, Given};
 use super::output;
+use bxdf::Catalogue;
 use bxdf::error::{Result, shown};
-use bxdf::models::MODELS;
 use bxdf_lab::contract::{Effort, LawReport, check_all, check_material};
 use bxdf_lab::stability::{Extent, Extreme, examine_all, examine_material, table};
 
@@ -105,12 +105,13 @@ fn every_model(laws_too: bool, points: u64) -> Vec<Model> {
         crowd: points,
         ..Extent::FULL
     };
-    let check = || check_all(&MODELS, Effort::Quick);
+    let models = Catalogue::current().models();
+    let check = || check_all(models, Effort::Quick);
     // Together: where the laws of the last models leave processors idle, the extremes have them.
-    let (laws, extremes) = rayon::join(|| laws_too.then(check), || examine_all(&MODELS, extent));
-    let laws = laws.unwrap_or_else(|| vec![Vec::new(); MODELS.len()]);
+    let (laws, extremes) = rayon::join(|| laws_too.then(check), || examine_all(models, extent));
+    let laws = laws.unwrap_or_else(|| vec![Vec::new(); models.len()]);
     let found = laws.into_iter().zip(extremes);
-    let named = MODELS.into_iter().zip(found);
+    let named = models.iter().copied().zip(found);
     named
         .map(|(model, (laws, extremes))| Model {
             id: model.id.to_owned(),
@@ -177,7 +178,8 @@ impl Report {
     /// The table of the documentation: every model is there.
     fn worst_of_models(&self) -> String {
         let found = self.models.iter().map(|model| &model.extremes[..]);
-        let models: Vec<_> = MODELS.into_iter().zip(found).collect();
+        let models = Catalogue::current().models().iter().copied();
+        let models: Vec<_> = models.zip(found).collect();
         table::table(&models)
     }
 

@@ -67,7 +67,7 @@ fn evaluate<R: Precision>(arguments: &Arguments) -> Result<()> {
 struct Chunk<R: Real> {
     texts: Vec<[String; COLUMNS.len()]>,
     /// The components of wo, then those of wi.
-    pairs: Vec<[R::Stored; COLUMNS.len()]>,
+    pairs: Vec<[R; COLUMNS.len()]>,
 }
 
 impl<R: Real> Default for Chunk<R> {
@@ -84,14 +84,14 @@ impl<R: Real> Chunk<R> {
         self.texts.push(row.texts.clone().map(Cow::into_owned));
         let (wo, wi) = (row.wo, row.wi);
         let components = [wo.x, wo.y, wo.z, wi.x, wi.y, wi.z];
-        self.pairs.push(components.map(|x| R::of(x).store()));
+        self.pairs.push(components.map(|x| R::of(x)));
     }
 
     /// Writes the rows with their results, and forgets them.
     fn write(&mut self, bxdf: &dyn Bxdf<R>, table: &mut Table) -> Result<()> {
         let pairs = Columns::from_rows(self.pairs.drain(..));
         let [ox, oy, oz, ix, iy, iz] = pairs.slices();
-        let mut results = Columns::filled(R::zero().store(), pairs.len());
+        let mut results = Columns::filled(R::zero(), pairs.len());
         let [r, g, b, pdf] = results.slices_mut();
         let job = Job::FPdf {
             wo: [ox, oy, oz],
@@ -102,7 +102,7 @@ impl<R: Real> Chunk<R> {
         bxdf.batch(Path::Dispatched, job);
         for (texts, results) in self.texts.drain(..).zip(results.rows()) {
             texts.iter().try_for_each(|text| table.text(text))?;
-            table.numbers(&results.map(|x| R::load(x).as_f64()))?;
+            table.numbers(&results.map(R::as_f64))?;
             table.end_row()?;
         }
         Ok(())

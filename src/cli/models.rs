@@ -6,9 +6,9 @@ use serde::Serialize;
 use serde_json::{Value as Json, json};
 
 use super::output;
+use bxdf::Catalogue;
 use bxdf::error::Result;
 use bxdf::material::library::{self, Named};
-use bxdf::models::MODELS;
 use bxdf::param::{Kind, ParamSpec, Value};
 use bxdf::{Category, Lobe, ModelSpec};
 
@@ -21,7 +21,8 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<()> {
     if arguments.json {
-        let models: Vec<Json> = MODELS.into_iter().map(model_json).collect();
+        let models = Catalogue::current().models().iter().copied();
+        let models: Vec<Json> = models.map(model_json).collect();
         let materials: Vec<Json> = library::all().iter().map(material_json).collect();
         output::print_json(&json!({ "models": models, "materials": materials }))
     } else {
@@ -124,8 +125,9 @@ fn properties_json(model: &ModelSpec) -> Json {
 fn listing() -> String {
     let mut text = String::new();
     for category in Category::ALL {
-        let mut models = MODELS
-            .into_iter()
+        let mut models = Catalogue::current()
+            .models()
+            .iter()
             .filter(|model| model.category() == category)
             .peekable();
         if models.peek().is_none() {
@@ -204,7 +206,7 @@ mod tests {
     #[test]
     fn the_listing_names_every_model_and_category_once() {
         let text = listing();
-        for model in MODELS {
+        for model in Catalogue::current().models() {
             assert_eq!(text.matches(&format!("  {} - ", model.id)).count(), 1);
         }
         for category in Category::ALL {

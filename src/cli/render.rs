@@ -193,7 +193,7 @@ pub(super) fn session(request: &RenderArgs) -> Result<Session> {
     let mut session = match &request.session {
         None => Session::default(),
         Some(path) => {
-            let text = args::text_at(path, SESSION_FILE)?;
+            let text = bxdf_study::files::text_at(path, SESSION_FILE)?;
             Session::from_toml(&text, &path.display().to_string())?
         }
     };

@@ -191,8 +191,8 @@ fn least<R: Real>() -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bxdf::Catalogue;
     use bxdf::math::frame::direction_from_degrees;
-    use bxdf::models;
 
     #[test]
     fn a_blade_is_worse_conditioned_than_paper() {
@@ -201,7 +201,7 @@ mod tests {
             direction_from_degrees(41.0, 190.0),
         );
         let kappa = |id: &str, alpha: Option<f64>| {
-            let model = models::find(id).unwrap();
+            let model = Catalogue::current().find(id).unwrap();
             let mut params = model.defaults();
             if let Some(alpha) = alpha {
                 params.set_text("alpha", &alpha.to_string()).unwrap();

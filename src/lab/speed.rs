@@ -174,7 +174,7 @@ pub struct Row {
 /// The modes take turns, so that what the machine does besides slows all of them alike: their ratios hold where their
 /// times do not. Plain arithmetic on one thread and on all takes its turns with them, for comparison.
 #[must_use]
-pub fn measure<R: Precision + Real<Stored = R>>(
+pub fn measure<R: Precision>(
     material: &Material,
     pairs: &Pairs<R>,
     operation: Operation,
@@ -217,7 +217,7 @@ pub fn measure<R: Precision + Real<Stored = R>>(
 /// Arrays that a job writes at most.
 const OUTPUTS: usize = 8;
 
-fn run<R: Precision + Real<Stored = R>>(
+fn run<R: Precision>(
     bxdf: &dyn Bxdf<R>,
     pairs: &Pairs<R>,
     operation: Operation,
@@ -241,7 +241,7 @@ struct Part<'a, R> {
     out: [&'a mut [R]; OUTPUTS],
 }
 
-impl<'a, R: Precision + Real<Stored = R>> Part<'a, R> {
+impl<'a, R: Precision> Part<'a, R> {
     fn of(pairs: &'a Pairs<R>, out: &'a mut Columns<R, OUTPUTS>) -> Self {
         let [wo, wi, numbers] = [&pairs.wo, &pairs.wi, &pairs.numbers].map(Columns::slices);
         let ([ox, oy, oz], [ix, iy, iz], [uc, u, v]) = (wo, wi, numbers);

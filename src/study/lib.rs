@@ -4,7 +4,6 @@
 pub mod colors;
 pub mod cursor;
 pub mod data;
-pub mod encoding;
 pub mod export;
 pub mod files;
 pub mod format;

@@ -1,7 +1,8 @@
 //! The extremes: no model gives out there, each fault that others have is seen when provoked, and the table of the
 //! documentation is current.
 
-use brdf_explorer::bxdf::models::{MODELS, find};
+use brdf_explorer::bxdf::Catalogue;
+use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::{ModelSpec, Properties};
 use brdf_explorer::lab::stability::table::Row;
 use brdf_explorer::lab::stability::{Case, Extreme, examine, examine_material};
@@ -88,8 +89,16 @@ fn the_places_of_the_table_are_as_it_says() {
 #[test]
 fn every_extreme_is_reached() {
     // The whole grid of glass, which has an index, widths, a colourless Fresnel term and a critical angle.
-    let glass = examine(find("rough_dielectric").unwrap(), STRIDE, RANDOM);
-    let silver = examine(find("rough_conductor").unwrap(), STRIDE, RANDOM);
+    let glass = examine(
+        Catalogue::current().find("rough_dielectric").unwrap(),
+        STRIDE,
+        RANDOM,
+    );
+    let silver = examine(
+        Catalogue::current().find("rough_conductor").unwrap(),
+        STRIDE,
+        RANDOM,
+    );
     for case in Case::ALL {
         let mut all = glass.iter().chain(&silver);
         let found = all.any(|extreme| extreme.case == case && extreme.n > 0);

@@ -1,11 +1,11 @@
 //! Lawful models with one fault each: what the laws are tested on.
 
-use brdf_explorer::bxdf::math::{Fast, Real, Vec3};
+use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::optics::Spectrum;
 use brdf_explorer::bxdf::param::ParamSet;
 use brdf_explorer::bxdf::{
-    Builders, Bxdf, Category, Component, Deltas, Lobe, Material, ModelSpec, Precision, Properties,
-    Sample,
+    Bxdf, Category, Component, Deltas, Lobe, Material, ModelSpec, Precision, Properties, Sample,
+    builders,
 };
 
 // What can be wrong with a model; each is put into an otherwise lawful one.
@@ -111,7 +111,7 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
         match FAULT {
             PDF_TOO_LARGE | NARROW_PDF => pdf * R::of(1.02),
             PDF_SLIGHTLY_TOO_LARGE | NEEDLES_PDF => pdf * R::of(1.002),
-            NAN_AT_GRAZING if wi.z.abs() < R::of(1e-12) => R::nan(),
+            NAN_AT_GRAZING if wi.z.abs() < R::of(1e-12) => R::of(f64::NAN),
             F_WITHOUT_PDF if wi.x > R::of(0.9) => R::zero(),
             _ => pdf,
         }
@@ -222,12 +222,7 @@ pub fn faulty<const FAULT: usize>(properties: Properties) -> ModelSpec {
             ..properties
         },
         validate: ModelSpec::any,
-        builders: Builders {
-            f32: build::<Fast<f32>, FAULT>,
-            library: build::<f32, FAULT>,
-            f64: build::<f64, FAULT>,
-            reference: build::<xprec::Df64, FAULT>,
-        },
+        builders: builders!(build::<_, FAULT>),
         stand_ins: &[],
     }
 }

@@ -13,12 +13,7 @@ pub(super) type Block<R> = [R; BLOCK];
 /// What a block's numbers are turned into. A type rather than a closure: the call of its function is always inlined.
 pub(super) trait Kernel<R: Real, const M: usize, const N: usize> {
     /// Computes a block.
-    fn block<B: Bxdf<R> + ?Sized>(
-        &self,
-        bxdf: &B,
-        given: [&Block<R::Stored>; M],
-        out: [&mut Block<R::Stored>; N],
-    );
+    fn block<B: Bxdf<R> + ?Sized>(&self, bxdf: &B, given: [&Block<R>; M], out: [&mut Block<R>; N]);
 }
 
 /// The value of each pair.
@@ -29,8 +24,8 @@ impl<R: Real> Kernel<R, 6, 3> for Values {
     fn block<B: Bxdf<R> + ?Sized>(
         &self,
         bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
-        [r, g, b]: [&mut Block<R::Stored>; 3],
+        [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
+        [r, g, b]: [&mut Block<R>; 3],
     ) {
         // Inlined, or the loop is one of calls.
         values(
@@ -53,8 +48,8 @@ impl<R: Real> Kernel<R, 6, 3> for LobeValues {
     fn block<B: Bxdf<R> + ?Sized>(
         &self,
         bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
-        [r, g, b]: [&mut Block<R::Stored>; 3],
+        [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
+        [r, g, b]: [&mut Block<R>; 3],
     ) {
         // Inlined, or the loop is one of calls.
         values(
@@ -73,16 +68,16 @@ impl<R: Real> Kernel<R, 6, 3> for LobeValues {
 #[inline(always)]
 fn values<R: Real>(
     f: impl Fn(Vec3<R>, Vec3<R>) -> Spectrum<R>,
-    wo: [&Block<R::Stored>; 3],
-    wi: [&Block<R::Stored>; 3],
-    r: &mut Block<R::Stored>,
-    g: &mut Block<R::Stored>,
-    b: &mut Block<R::Stored>,
+    wo: [&Block<R>; 3],
+    wi: [&Block<R>; 3],
+    r: &mut Block<R>,
+    g: &mut Block<R>,
+    b: &mut Block<R>,
 ) {
     let out = r.iter_mut().zip(g).zip(b);
     for ((wo, wi), ((r, g), b)) in directions(wo).zip(directions(wi)).zip(out) {
         let Spectrum(f) = f(wo, wi);
-        [*r, *g, *b] = f.map(R::store);
+        [*r, *g, *b] = f;
     }
 }
 
@@ -94,12 +89,12 @@ impl<R: Real> Kernel<R, 6, 1> for Densities {
     fn block<B: Bxdf<R> + ?Sized>(
         &self,
         bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
-        [pdf]: [&mut Block<R::Stored>; 1],
+        [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
+        [pdf]: [&mut Block<R>; 1],
     ) {
         let (wo, wi) = (directions([ox, oy, oz]), directions([ix, iy, iz]));
         for ((wo, wi), pdf) in wo.zip(wi).zip(pdf) {
-            *pdf = bxdf.pdf(wo, wi).store();
+            *pdf = bxdf.pdf(wo, wi);
         }
     }
 }
@@ -112,8 +107,8 @@ impl<R: Real> Kernel<R, 6, 4> for ValuesAndDensities {
     fn block<B: Bxdf<R> + ?Sized>(
         &self,
         bxdf: &B,
-        [ox, oy, oz, ix, iy, iz]: [&Block<R::Stored>; 6],
-        [r, g, b, pdf]: [&mut Block<R::Stored>; 4],
+        [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
+        [r, g, b, pdf]: [&mut Block<R>; 4],
     ) {
         values_and_densities(bxdf, [ox, oy, oz], [ix, iy, iz], r, g, b, pdf);
     }
@@ -123,18 +118,18 @@ impl<R: Real> Kernel<R, 6, 4> for ValuesAndDensities {
 #[inline(always)]
 fn values_and_densities<R: Real, B: Bxdf<R> + ?Sized>(
     bxdf: &B,
-    wo: [&Block<R::Stored>; 3],
-    wi: [&Block<R::Stored>; 3],
-    r: &mut Block<R::Stored>,
-    g: &mut Block<R::Stored>,
-    b: &mut Block<R::Stored>,
-    pdf: &mut Block<R::Stored>,
+    wo: [&Block<R>; 3],
+    wi: [&Block<R>; 3],
+    r: &mut Block<R>,
+    g: &mut Block<R>,
+    b: &mut Block<R>,
+    pdf: &mut Block<R>,
 ) {
     let out = r.iter_mut().zip(g).zip(b).zip(pdf);
     for ((wo, wi), (((r, g), b), pdf)) in directions(wo).zip(directions(wi)).zip(out) {
         let (Spectrum(f), density) = bxdf.f_pdf(wo, wi);
-        [*r, *g, *b] = f.map(R::store);
-        *pdf = density.store();
+        [*r, *g, *b] = f;
+        *pdf = density;
     }
 }
 
@@ -146,8 +141,8 @@ impl<R: Real> Kernel<R, 6, 8> for Samples {
     fn block<B: Bxdf<R> + ?Sized>(
         &self,
         bxdf: &B,
-        [ox, oy, oz, uc, u, v]: [&Block<R::Stored>; 6],
-        [x, y, z, r, g, b, pdf, delta]: [&mut Block<R::Stored>; 8],
+        [ox, oy, oz, uc, u, v]: [&Block<R>; 6],
+        [x, y, z, r, g, b, pdf, delta]: [&mut Block<R>; 8],
     ) {
         samples(bxdf, [ox, oy, oz], [uc, u, v], x, y, z, r, g, b, pdf, delta);
     }
@@ -158,16 +153,16 @@ impl<R: Real> Kernel<R, 6, 8> for Samples {
 #[inline(always)]
 fn samples<R: Real, B: Bxdf<R> + ?Sized>(
     bxdf: &B,
-    wo: [&Block<R::Stored>; 3],
-    [uc, u, v]: [&Block<R::Stored>; 3],
-    x: &mut Block<R::Stored>,
-    y: &mut Block<R::Stored>,
-    z: &mut Block<R::Stored>,
-    r: &mut Block<R::Stored>,
-    g: &mut Block<R::Stored>,
-    b: &mut Block<R::Stored>,
-    pdf: &mut Block<R::Stored>,
-    delta: &mut Block<R::Stored>,
+    wo: [&Block<R>; 3],
+    [uc, u, v]: [&Block<R>; 3],
+    x: &mut Block<R>,
+    y: &mut Block<R>,
+    z: &mut Block<R>,
+    r: &mut Block<R>,
+    g: &mut Block<R>,
+    b: &mut Block<R>,
+    pdf: &mut Block<R>,
+    delta: &mut Block<R>,
 ) {
     let numbers = uc.iter().zip(u).zip(v);
     let values = r.iter_mut().zip(g).zip(b);
@@ -181,7 +176,7 @@ fn samples<R: Real, B: Bxdf<R> + ?Sized>(
         let ((((x, y), z), ((r, g), b)), (pdf, delta)) = out;
         let zero = R::zero();
         // No sample is a sample of nothing: every element is written, whatever was drawn.
-        let sample = match bxdf.sample_f(wo, R::load(*uc), [R::load(*u), R::load(*v)]) {
+        let sample = match bxdf.sample_f(wo, *uc, [*u, *v]) {
             Some(sample) => sample,
             None => Sample {
                 wi: Vec3::new(zero, zero, zero),
@@ -190,14 +185,10 @@ fn samples<R: Real, B: Bxdf<R> + ?Sized>(
                 is_delta: false,
             },
         };
-        (*x, *y, *z) = (
-            sample.wi.x.store(),
-            sample.wi.y.store(),
-            sample.wi.z.store(),
-        );
-        [*r, *g, *b] = sample.f.0.map(R::store);
-        *pdf = sample.pdf.store();
-        *delta = if sample.is_delta { R::one() } else { zero }.store();
+        (*x, *y, *z) = (sample.wi.x, sample.wi.y, sample.wi.z);
+        [*r, *g, *b] = sample.f.0;
+        *pdf = sample.pdf;
+        *delta = if sample.is_delta { R::one() } else { zero };
     }
 }
 
@@ -212,8 +203,8 @@ impl<R: Real> Kernel<R, 5, 6> for LobeSamples {
     fn block<B: Bxdf<R> + ?Sized>(
         &self,
         bxdf: &B,
-        [hx, hy, hz, u, v]: [&Block<R::Stored>; 5],
-        [x, y, z, r, g, b]: [&mut Block<R::Stored>; 6],
+        [hx, hy, hz, u, v]: [&Block<R>; 5],
+        [x, y, z, r, g, b]: [&mut Block<R>; 6],
     ) {
         self.weights(bxdf, [hx, hy, hz], [u, v], x, y, z, r, g, b);
     }
@@ -226,21 +217,21 @@ impl LobeSamples {
     fn weights<R: Real, B: Bxdf<R> + ?Sized>(
         &self,
         bxdf: &B,
-        held: [&Block<R::Stored>; 3],
-        [u, v]: [&Block<R::Stored>; 2],
-        x: &mut Block<R::Stored>,
-        y: &mut Block<R::Stored>,
-        z: &mut Block<R::Stored>,
-        r: &mut Block<R::Stored>,
-        g: &mut Block<R::Stored>,
-        b: &mut Block<R::Stored>,
+        held: [&Block<R>; 3],
+        [u, v]: [&Block<R>; 2],
+        x: &mut Block<R>,
+        y: &mut Block<R>,
+        z: &mut Block<R>,
+        r: &mut Block<R>,
+        g: &mut Block<R>,
+        b: &mut Block<R>,
     ) {
         let out = x.iter_mut().zip(y).zip(z).zip(r.iter_mut().zip(g).zip(b));
         for ((held, (u, v)), out) in directions::<R>(held).zip(u.iter().zip(v)).zip(out) {
             let (((x, y), z), ((r, g), b)) = out;
-            let (free, Spectrum(weight)) = self.drawn(bxdf, held, [R::load(*u), R::load(*v)]);
-            (*x, *y, *z) = (free.x.store(), free.y.store(), free.z.store());
-            [*r, *g, *b] = weight.map(R::store);
+            let (free, Spectrum(weight)) = self.drawn(bxdf, held, [*u, *v]);
+            (*x, *y, *z) = (free.x, free.y, free.z);
+            [*r, *g, *b] = weight;
         }
     }
 
@@ -273,9 +264,9 @@ impl LobeSamples {
 
 /// The directions of a block.
 #[inline(always)]
-fn directions<R: Real>([x, y, z]: [&Block<R::Stored>; 3]) -> impl Iterator<Item = Vec3<R>> {
+fn directions<R: Real>([x, y, z]: [&Block<R>; 3]) -> impl Iterator<Item = Vec3<R>> {
     x.iter()
         .zip(y)
         .zip(z)
-        .map(|((x, y), z)| Vec3::new(R::load(*x), R::load(*y), R::load(*z)))
+        .map(|((x, y), z)| Vec3::new(*x, *y, *z))
 }

@@ -1,15 +1,12 @@
 //! Whole batches of directions, as structures of arrays: one virtual call, then the model's own code in a plain loop,
-//! compiled for the instruction sets a machine may have and chosen when it runs.
+//! compiled for the instruction sets a machine may have and chosen when it runs; or, where that brings nothing, a loop of
+//! calls that all models share.
 //!
 //! Nothing here is written for vectors: the loops have a fixed length, no aliases and no calls, and the compiler does
 //! the rest. What keeps a loop from it is a call that stays one, so everything in a model's `f`, `pdf` and `sample_f` is
 //! `#[inline(always)]`, and takes `Option`s apart with `let else`: a combinator with a large closure stays a call.
 
 use fearless_simd::Level;
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use fearless_simd::Simd;
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use fearless_simd_macros::simd;
 
 use kernels::{
     BLOCK, Block, Densities, Kernel, LobeSamples, LobeValues, Samples, Values, ValuesAndDensities,
@@ -158,32 +155,6 @@ pub enum Path {
     Dispatched,
 }
 
-/// Runs `job` on `bxdf`.
-pub(crate) fn run<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, path: Path, job: Job<'_, R::Stored>) {
-    if R::DISPATCHES && path == Path::Dispatched {
-        dispatch(bxdf, job);
-    } else {
-        plain(bxdf, job);
-    }
-}
-
-/// Works for the best instruction set: of those of a processor's kind, only the widest two are worth loops of their own.
-fn dispatch<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
-    let level = Level::new();
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    {
-        let is_wide = R::DISPATCHES_LOBES || !matches!(job, Job::LobeF { .. } | Job::Lobe { .. });
-        if is_wide && let Some(avx512) = level.as_avx512() {
-            return work_with(avx512, bxdf, job);
-        }
-        if is_wide && let Some(avx2) = level.as_avx2() {
-            return work_with(avx2, bxdf, job);
-        }
-    }
-    let _ = level;
-    plain(bxdf, job);
-}
-
 /// The name of the instruction set that [`Path::Dispatched`] uses on this machine.
 #[must_use]
 pub fn instruction_set() -> String {
@@ -192,30 +163,83 @@ pub fn instruction_set() -> String {
     name.to_lowercase()
 }
 
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-#[simd]
-fn work_with<S: Simd, R: Real, B: Bxdf<R> + ?Sized>(_: S, bxdf: &B, job: Job<'_, R::Stored>) {
-    if let Some(job) = work(bxdf, job)
-        && R::DISPATCHES_LOBES
-    {
-        work_on_lobe(bxdf, job);
-    }
+/// Computes `job` element by element, each by a call of its own: one loop for all models. For those whose own would not be
+/// faster: rare choices, precisions without wide registers, and formulas with functions that stay calls.
+pub(crate) fn one_by_one<R: Real>(bxdf: &dyn Bxdf<R>, job: Job<'_, R>) {
+    plain(bxdf, job);
 }
 
-/// Works as every machine of its kind can. Compiled once, whoever calls it.
-#[inline(never)]
-fn plain<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
+/// Computes `job` as every machine of its kind can.
+pub(crate) fn plain<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
     if let Some(job) = work(bxdf, job) {
         work_on_lobe(bxdf, job);
     }
 }
 
+/// The method `batch` of a model: loops of its own for the widest registers where `$is_wide`, a constant, says so, and else
+/// [`one_by_one`].
+///
+/// The loops stand in the module of the model, in which this is expanded: a change of one model compiles its own alone, and
+/// the models' are compiled side by side. Of the instruction sets of a processor's kind only the widest two are worth loops
+/// of their own.
+macro_rules! loops {
+    ($real:ident, if $is_wide:expr) => {
+        fn batch(&self, path: $crate::batch::Path, job: $crate::batch::Job<'_, $real>) {
+            use $crate::batch::{self, Job, Path};
+            use $crate::math::Real;
+
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            #[fearless_simd_macros::simd]
+            fn wide<S: fearless_simd::Simd, R: Real, B: $crate::Bxdf<R>>(
+                _: S,
+                bxdf: &B,
+                job: Job<'_, R>,
+            ) {
+                batch::own(bxdf, job);
+            }
+
+            #[inline(never)]
+            fn plain<R: Real, B: $crate::Bxdf<R>>(bxdf: &B, job: Job<'_, R>) {
+                batch::own(bxdf, job);
+            }
+
+            // Constants: of the two branches one alone is compiled.
+            if $real::VECTORISES && $is_wide {
+                #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+                if path == Path::Dispatched {
+                    let level = fearless_simd::Level::new();
+                    if let Some(avx512) = level.as_avx512() {
+                        return wide(avx512, self, job);
+                    }
+                    if let Some(avx2) = level.as_avx2() {
+                        return wide(avx2, self, job);
+                    }
+                }
+                plain(self, job);
+            } else {
+                batch::one_by_one(self, job);
+            }
+        }
+    };
+}
+
+pub(crate) use loops;
+
+/// What the loops of a model do themselves.
+#[inline(always)]
+pub(crate) fn own<R: Real, B: Bxdf<R>>(bxdf: &B, job: Job<'_, R>) {
+    if let Some(job) = work(bxdf, job) {
+        if R::LOBES_VECTORISE {
+            work_on_lobe(bxdf, job);
+        } else {
+            one_by_one(bxdf, job);
+        }
+    }
+}
+
 /// Does what is asked of the whole, and returns what is asked of one lobe.
 #[inline(always)]
-fn work<'a, R: Real, B: Bxdf<R> + ?Sized>(
-    bxdf: &B,
-    job: Job<'a, R::Stored>,
-) -> Option<Job<'a, R::Stored>> {
+fn work<'a, R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'a, R>) -> Option<Job<'a, R>> {
     match job {
         Job::F { wo, wi, f } => in_blocks(&Values, bxdf, pairs(wo, wi), f),
         Job::Pdf { wo, wi, pdf } => in_blocks(&Densities, bxdf, pairs(wo, wi), [pdf]),
@@ -245,7 +269,7 @@ fn work<'a, R: Real, B: Bxdf<R> + ?Sized>(
 
 /// Does what is asked of one lobe.
 #[inline(always)]
-fn work_on_lobe<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R::Stored>) {
+fn work_on_lobe<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
     match job {
         Job::LobeF { index, wo, wi, f } => in_blocks(&LobeValues(index), bxdf, pairs(wo, wi), f),
         Job::Lobe {
@@ -274,8 +298,8 @@ fn pairs<'a, R>([ox, oy, oz]: Directions<'a, R>, [ix, iy, iz]: Directions<'a, R>
 fn in_blocks<K, R, B, const M: usize, const N: usize>(
     kernel: &K,
     bxdf: &B,
-    given: [&[R::Stored]; M],
-    mut out: [&mut [R::Stored]; N],
+    given: [&[R]; M],
+    mut out: [&mut [R]; N],
 ) where
     K: Kernel<R, M, N>,
     R: Real,
@@ -288,7 +312,7 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
         .fold(longest, usize::min);
     let last = length - length % BLOCK;
     // What lies beyond the end of a slice: any direction and any numbers, whose results nobody reads.
-    let filler = [R::of(0.5).store(); BLOCK];
+    let filler = [R::of(0.5); BLOCK];
     let (mut tails, mut unread) = ([filler; M], [filler; N]);
     for (tail, slice) in tails.iter_mut().zip(given) {
         let rest = slice.get(last..length).unwrap_or_default();
@@ -299,13 +323,13 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
         .each_mut()
         .map(|slice| slice.get_mut(..last).unwrap_or_default().as_chunks_mut().0);
     for index in 0..length.div_ceil(BLOCK) {
-        let mut blocks: [&Block<R::Stored>; M] = tails.each_ref();
+        let mut blocks: [&Block<R>; M] = tails.each_ref();
         for (block, whole) in blocks.iter_mut().zip(from) {
             if let Some(whole) = whole.get(index) {
                 *block = whole;
             }
         }
-        let mut results: [&mut Block<R::Stored>; N] = unread.each_mut();
+        let mut results: [&mut Block<R>; N] = unread.each_mut();
         for (block, whole) in results.iter_mut().zip(&mut to) {
             if let Some(whole) = whole.get_mut(index) {
                 *block = whole;

@@ -4,6 +4,7 @@
 pub mod cosine_power;
 pub mod gaussian_slopes;
 
+use super::batch::loops;
 use super::math::{Real, Vec3, warp};
 use super::microfacet::{Pair, evaluated_by_pair};
 use super::optics::Spectrum;
@@ -115,6 +116,8 @@ impl<M> Mixture<M> {
 }
 
 impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
+
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]

@@ -4,11 +4,12 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
+use crate::Bxdf;
+use crate::catalogue::Catalogue;
 use crate::error::{Error, Result, shown};
 use crate::param::{ParamSet, ParamSpec, Value};
 use crate::spec::{ModelSpec, Precision, StandIn};
 use crate::table::Table;
-use crate::{Bxdf, models};
 
 /// The factor on all values of a component, as a parameter: files, sessions, sliders and the command line take the range from
 /// here.
@@ -126,12 +127,6 @@ impl Component {
         self.model.build(&self.params)
     }
 
-    /// The model in `f32` with the functions of the system's library in place of polynomials, without the weight.
-    #[must_use]
-    pub fn build_with_library(&self) -> Box<dyn Bxdf<f32>> {
-        (self.model.builders.library)(&self.params)
-    }
-
     /// Whether its lobe is declared to stay as it is when the surface turns about n.
     #[must_use]
     pub fn is_isotropic(&self) -> bool {
@@ -184,7 +179,7 @@ impl FromStr for Component {
     /// Reads `id` or `id:name=value,name=value`, weight 1; all parameters together must be allowed, their order does not matter.
     fn from_str(text: &str) -> Result<Self> {
         let (id, assignments) = text.split_once(':').unwrap_or((text, ""));
-        let mut component = Assignments::of(models::find(id.trim())?);
+        let mut component = Assignments::of(Catalogue::current().find(id.trim())?);
         for assignment in assignments
             .split(',')
             .map(str::trim)
@@ -332,7 +327,7 @@ mod tests {
 
     #[test]
     fn stand_ins_are_components_of_their_own_and_replace_once() {
-        for model in models::MODELS {
+        for model in crate::models::MODELS {
             let found: BTreeSet<&str> = at_many_parameters(model)
                 .iter()
                 .flat_map(Component::stand_ins)

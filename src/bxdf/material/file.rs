@@ -22,9 +22,10 @@ use toml::de::{DeTable, DeValue};
 
 use super::component::Assignments;
 use super::{Component, Material, WEIGHT};
+use crate::catalogue::Catalogue;
 use crate::error::{Error, Result, shown};
+use crate::param;
 use crate::param::Kind;
-use crate::{models, param};
 
 /// The keys that describe a material and do not change it, in the order in which they are printed.
 const DESCRIPTIONS: [&str; 3] = ["name", "note", "source"];
@@ -66,7 +67,8 @@ impl Reader<'_> {
         let Some((key, value)) = table.get_key_value("model") else {
             return Err(self.error(lobe.span(), "a lobe without model = \"...\""));
         };
-        let model = models::find(&self.string((key, value))?)
+        let model = Catalogue::current()
+            .find(&self.string((key, value))?)
             .map_err(|error| self.error(value.span(), error.to_string()))?;
         // By name, one by one: no key and no value is read as more than one parameter.
         let mut assignments = Assignments::of(model);

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::{Material, file};
+use crate::catalogue::Catalogue;
 use crate::error::{Error, Result, shown};
-use crate::models::{self, MODELS};
 
 /// The files. Their folder is the one list of them.
 static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/materials");
@@ -43,6 +43,11 @@ pub fn all() -> &'static [Named] {
     &ALL
 }
 
+/// The ids of the materials of the library: none of them is read for it.
+pub(crate) fn ids() -> impl Iterator<Item = &'static str> {
+    files().filter_map(id_of)
+}
+
 /// The material of the library with this id.
 ///
 /// # Errors
@@ -63,7 +68,7 @@ pub fn read(text: &str) -> Result<Material> {
     let (id, parameters) = text
         .split_once(':')
         .map_or((text.trim(), None), |(id, rest)| (id.trim(), Some(rest)));
-    if models::find(id).is_ok() {
+    if Catalogue::current().find(id).is_ok() {
         return text.parse();
     }
     match (find(id), parameters) {
@@ -80,7 +85,7 @@ pub fn read(text: &str) -> Result<Material> {
 #[must_use]
 pub fn unknown(text: &str) -> Error {
     let id = text.split(':').next().unwrap_or_default().trim();
-    let models = MODELS.into_iter().map(|model| model.id);
+    let models = Catalogue::current().models().iter().map(|model| model.id);
     let named = all().iter().map(|named| named.id);
     Error::unknown("material", id, models.chain(named))
 }
@@ -89,7 +94,7 @@ pub fn unknown(text: &str) -> Error {
 #[must_use]
 pub fn is_known(text: &str) -> bool {
     let id = text.split(':').next().unwrap_or_default().trim();
-    MODELS.iter().any(|model| model.id == id) || all().iter().any(|named| named.id == id)
+    Catalogue::current().find(id).is_ok() || all().iter().any(|named| named.id == id)
 }
 
 /// The material of the library that `material` is, or was before its components were changed: the one of its name.
@@ -109,10 +114,13 @@ fn files() -> impl Iterator<Item = &'static include_dir::File<'static>> {
     FILES.files().filter(is_material)
 }
 
+fn id_of(file: &'static include_dir::File<'static>) -> Option<&'static str> {
+    Path::file_stem(file.path()).and_then(|stem| stem.to_str())
+}
+
 fn named(file: &'static include_dir::File<'static>) -> Result<Named> {
     let place = file.path().display().to_string();
-    let id = Path::file_stem(file.path()).and_then(|stem| stem.to_str());
-    let (Some(id), Some(text)) = (id, file.contents_utf8()) else {
+    let (Some(id), Some(text)) = (id_of(file), file.contents_utf8()) else {
         return Err(Error::parse(place, "no text"));
     };
     let material = file::parse(text, &place)?;

@@ -9,7 +9,7 @@ use crate::math::{Real, Vec3};
 pub(super) const STRETCH: usize = 256;
 
 /// Runs `job` on `mixture`.
-pub(super) fn run_mixture<R: Real>(mixture: &Mixture<R>, path: Path, job: Job<'_, R::Stored>) {
+pub(super) fn run_mixture<R: Real>(mixture: &Mixture<R>, path: Path, job: Job<'_, R>) {
     let n = job.len();
     match job {
         Job::F { wo, wi, f } => evaluate(mixture, path, [wo, wi], Some(f), None, n),
@@ -70,9 +70,9 @@ pub(super) fn run_mixture<R: Real>(mixture: &Mixture<R>, path: Path, job: Job<'_
 }
 
 /// The first `n` of each channel times `weight`.
-fn scale<R: Real>(channels: TripleMut<'_, R::Stored>, n: usize, weight: R) {
+fn scale<R: Real>(channels: TripleMut<'_, R>, n: usize, weight: R) {
     for value in channels.into_iter().flat_map(|c| c.iter_mut().take(n)) {
-        *value = (R::load(*value) * weight).store();
+        *value = *value * weight;
     }
 }
 
@@ -80,12 +80,12 @@ fn scale<R: Real>(channels: TripleMut<'_, R::Stored>, n: usize, weight: R) {
 pub(super) fn evaluate<R: Real>(
     mixture: &Mixture<R>,
     path: Path,
-    [wo, wi]: [Directions<'_, R::Stored>; 2],
-    mut f: Option<TripleMut<'_, R::Stored>>,
-    mut pdf: Option<&mut [R::Stored]>,
+    [wo, wi]: [Directions<'_, R>; 2],
+    mut f: Option<TripleMut<'_, R>>,
+    mut pdf: Option<&mut [R]>,
     n: usize,
 ) {
-    let zero = R::zero().store();
+    let zero = R::zero();
     let mut scratch = [[zero; STRETCH]; 4];
     for start in (0..n).step_by(STRETCH) {
         let here = start..n.min(start + STRETCH);
@@ -94,9 +94,7 @@ pub(super) fn evaluate<R: Real>(
         let [x, y, z] = wo;
         let shares: Vec<_> = if pdf.is_some() {
             let components = x.iter().zip(y).zip(z);
-            let direction = |((x, y), z): ((&R::Stored, &R::Stored), &R::Stored)| {
-                Vec3::new(R::load(*x), R::load(*y), R::load(*z))
-            };
+            let direction = |((x, y), z): ((&R, &R), &R)| Vec3::new(*x, *y, *z);
             components
                 .map(|components| mixture.shares(direction(components)))
                 .collect()
@@ -133,19 +131,19 @@ pub(super) fn evaluate<R: Real>(
             if f.is_some() {
                 for (sum, values) in value_sums.iter_mut().zip(values) {
                     for (sum, value) in sum.iter_mut().zip(values) {
-                        *sum = *sum + R::load(*value) * part.weight;
+                        *sum = *sum + *value * part.weight;
                     }
                 }
             }
             for ((sum, value), shares) in density_sums.iter_mut().zip(densities).zip(&shares) {
                 let share = shares.get(index).copied().unwrap_or_else(R::zero);
-                *sum = *sum + weighed(share, R::load(*value));
+                *sum = *sum + weighed(share, *value);
             }
         }
-        let write = |out: &mut [R::Stored], sums: &[R; STRETCH]| {
+        let write = |out: &mut [R], sums: &[R; STRETCH]| {
             let room = out.get_mut(here.clone()).unwrap_or_default();
             for (out, sum) in room.iter_mut().zip(sums) {
-                *out = sum.saturated().store();
+                *out = sum.saturated();
             }
         };
         if let Some(channels) = &mut f {

@@ -17,8 +17,8 @@ pub(super) type Drawn<'a, S> = [&'a mut [S]; 8];
 pub(super) fn samples<R: Real>(
     mixture: &Mixture<R>,
     path: Path,
-    given: Given<'_, R::Stored>,
-    mut drawn: Drawn<'_, R::Stored>,
+    given: Given<'_, R>,
+    mut drawn: Drawn<'_, R>,
     n: usize,
 ) {
     for start in (0..n).step_by(STRETCH) {
@@ -34,19 +34,17 @@ pub(super) fn samples<R: Real>(
 fn samples_at_once<R: Real>(
     mixture: &Mixture<R>,
     path: Path,
-    given: Given<'_, R::Stored>,
-    drawn: Drawn<'_, R::Stored>,
+    given: Given<'_, R>,
+    drawn: Drawn<'_, R>,
 ) {
     let [ox, oy, oz, uc, u, v] = given;
     let [ix, iy, iz, r, g, b, pdf, delta] = drawn;
-    let zero = R::zero().store();
-    let direction = |x: &R::Stored, y: &R::Stored, z: &R::Stored| {
-        Vec3::new(R::load(*x), R::load(*y), R::load(*z))
-    };
+    let zero = R::zero();
+    let direction = |x: &R, y: &R, z: &R| Vec3::new(*x, *y, *z);
     // Which component each sample chooses, and the number that is left to choose among its lobes.
     let numbers = ox.iter().zip(oy).zip(oz).zip(uc);
     let chosen: Vec<Option<(usize, R)>> = numbers
-        .map(|(((x, y), z), uc)| mixture.choose(direction(x, y, z), R::load(*uc)))
+        .map(|(((x, y), z), uc)| mixture.choose(direction(x, y, z), *uc))
         .collect();
     for slice in [&mut *ix, &mut *iy, &mut *iz, &mut *pdf, &mut *delta] {
         slice.fill(zero);
@@ -63,8 +61,8 @@ fn samples_at_once<R: Real>(
             continue;
         }
         let picked = Columns::from_rows(own.iter().map(|(place, rest)| {
-            let at = |slice: &[R::Stored]| slice.get(*place).copied().unwrap_or(zero);
-            [at(ox), at(oy), at(oz), rest.store(), at(u), at(v)]
+            let at = |slice: &[R]| slice.get(*place).copied().unwrap_or(zero);
+            [at(ox), at(oy), at(oz), *rest, at(u), at(v)]
         }));
         let [own_x, own_y, own_z, own_uc, own_u, own_v] = picked.slices();
         let mut room = Columns::filled(zero, own.len());
@@ -110,14 +108,14 @@ fn samples_at_once<R: Real>(
         given.zip(results)
     {
         let mut sample = None;
-        if R::load(*delta) > R::zero() {
+        if *delta > R::zero() {
             let wo = direction(x, y, z);
             let side = Side::between(wo, direction(ix, iy, iz));
             let mut deltas = mixture.deltas(wo).into_iter().flatten();
             sample = deltas
                 .find(|delta| delta.side == side)
                 .map(|delta| delta.sample());
-        } else if R::load(*pdf) > R::zero() && R::load(*density) >= R::min_positive_value() {
+        } else if *pdf > R::zero() && *density >= R::min_positive_value() {
             // The direction and the values stand there already.
             *pdf = *density;
             continue;
@@ -130,9 +128,9 @@ fn samples_at_once<R: Real>(
             .into_iter()
             .zip([wi, f].as_flattened())
         {
-            *slot = x.store();
+            *slot = *x;
         }
-        *pdf = sample.map_or(R::zero(), |sample| sample.pdf).store();
-        *delta = if is_there { R::one() } else { R::zero() }.store();
+        *pdf = sample.map_or(R::zero(), |sample| sample.pdf);
+        *delta = if is_there { R::one() } else { R::zero() };
     }
 }

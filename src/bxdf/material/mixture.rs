@@ -191,7 +191,7 @@ impl<R: Real> Bxdf<R> for Mixture<R> {
         sample.with_density()
     }
 
-    fn batch(&self, path: Path, job: Job<'_, R::Stored>) {
+    fn batch(&self, path: Path, job: Job<'_, R>) {
         run_mixture(self, path, job);
     }
 

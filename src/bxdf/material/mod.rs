@@ -6,6 +6,8 @@ pub mod library;
 mod mixed_batch;
 mod mixed_samples;
 mod mixture;
+#[cfg(feature = "files")]
+mod open;
 
 use std::fmt;
 use std::str::FromStr;
@@ -122,18 +124,6 @@ impl Material {
         match self.only() {
             Some(only) => only.build(),
             None => Box::new(Mixture::new(&self.components, Component::build)),
-        }
-    }
-
-    /// The material in `f32` with the functions of the system's library in place of polynomials.
-    #[must_use]
-    pub fn build_with_library(&self) -> Box<dyn Bxdf<f32>> {
-        match self.only() {
-            Some(only) => only.build_with_library(),
-            None => Box::new(Mixture::new(
-                &self.components,
-                Component::build_with_library,
-            )),
         }
     }
 

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};
 
-use num_traits::{One as _, Zero as _};
 use xprec::Df64;
 
 use super::Real;

@@ -1,37 +1,47 @@
 //! The number type every model is written over.
 
 use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use num_traits::{Float, FloatConst};
+use num_traits::{Float, FloatConst, One, Zero};
 use xprec::Df64;
 
-use super::special::{error_function, turn};
+use super::special::{error_function, polynomial, turn};
 
 /// A floating-point type a model can be evaluated in: `f32`, `f64`, or [`Df64`] (double-double, 2 x 53 bits), which
 /// serves as the *reference*.
 ///
-/// Models use only what [`Float`] and [`FloatConst`] offer, less `mul_add` (a slow library call without the target
-/// feature), and less `cbrt` and `integer_decode`, which xprec does not implement.
-pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
-    /// How batches hold such numbers: `f32` for [`Fast`](super::Fast) ones, else the type itself.
-    type Stored: Copy + Debug + Send + Sync + 'static;
-
+/// It has what models use and no more. There is no fused multiply-add: it is a slow library call without the target feature.
+///
+/// The elementary functions of `f32` are polynomials, so that loops over them are compiled for wide registers: with their
+/// errors, a few units of round-off, every model keeps the stability law that it keeps with the functions of the system's
+/// library. f64 and the reference have their libraries' functions.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
     /// The name of the precision at the command line: `f32`, `f64` or `reference`.
     const NAME: &'static str;
 
     /// Unit round-off: the largest relative error of one rounded operation.
     const UNIT_ROUNDOFF: f64;
 
-    /// Whether loops over it can be compiled for wide registers.
+    /// Whether loops over it are compiled for the widest registers that a machine has.
     const VECTORISES: bool;
 
-    /// Whether they are, for the widest that a machine has.
-    const DISPATCHES: bool;
-
     /// Whether those over one lobe are, too: only where lobes are integrated.
-    const DISPATCHES_LOBES: bool;
+    const LOBES_VECTORISE: bool;
 
-    /// Whether loops with elementary functions can, too.
+    /// Whether those with elementary functions are, too.
     const FUNCTIONS_VECTORISE: bool;
 
     /// A power of two whose square, and the reciprocal of it, are far from the ends of the range: what lies between it
@@ -45,14 +55,127 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     /// The value of this type nearest to `x`.
     fn of(x: f64) -> Self;
 
-    /// The number that is `stored`.
-    fn load(stored: Self::Stored) -> Self;
-
-    /// The number as it is stored.
-    fn store(self) -> Self::Stored;
-
     /// The `f64` nearest to `self`.
     fn as_f64(self) -> f64;
+
+    /// 0.
+    #[must_use]
+    fn zero() -> Self;
+
+    /// 1.
+    #[must_use]
+    fn one() -> Self;
+
+    /// pi.
+    #[must_use]
+    fn pi() -> Self;
+
+    /// 2 pi.
+    #[must_use]
+    fn tau() -> Self;
+
+    /// pi / 2.
+    #[must_use]
+    fn frac_pi_2() -> Self;
+
+    /// 1 / pi.
+    #[must_use]
+    fn frac_1_pi() -> Self;
+
+    /// 2 / sqrt(pi).
+    #[must_use]
+    fn frac_2_sqrt_pi() -> Self;
+
+    /// 1 / sqrt(2).
+    #[must_use]
+    fn frac_1_sqrt_2() -> Self;
+
+    /// The natural logarithm of 2.
+    #[must_use]
+    fn ln_2() -> Self;
+
+    /// The distance from 1 to the next larger number.
+    #[must_use]
+    fn epsilon() -> Self;
+
+    /// The smallest positive normal number.
+    #[must_use]
+    fn min_positive_value() -> Self;
+
+    /// The largest finite number.
+    #[must_use]
+    fn max_value() -> Self;
+
+    /// Whether it is no number.
+    #[must_use]
+    fn is_nan(self) -> bool;
+
+    /// Whether it is a number and finite.
+    #[must_use]
+    fn is_finite(self) -> bool;
+
+    /// The magnitude.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// The largest whole number that is not above `self`.
+    #[must_use]
+    fn floor(self) -> Self;
+
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// 1 / `self`.
+    #[must_use]
+    fn recip(self) -> Self;
+
+    /// e to the power `self`.
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// e to the power `self`, less 1, which keeps its digits near 0.
+    #[must_use]
+    fn exp_m1(self) -> Self;
+
+    /// The natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+
+    /// The natural logarithm of 1 + `self`, which keeps its digits near 0.
+    #[must_use]
+    fn ln_1p(self) -> Self;
+
+    /// The sine of `self` radians.
+    #[must_use]
+    fn sin(self) -> Self;
+
+    /// The cosine of `self` radians.
+    #[must_use]
+    fn cos(self) -> Self;
+
+    /// Sine and cosine of `self` radians.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The larger of two numbers; the other one where one is none.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
+
+    /// The smaller of two numbers; the other one where one is none.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+
+    /// The square root of the sum of both squares, without overflow.
+    #[must_use]
+    fn hypot(self, other: Self) -> Self;
+
+    /// `self` to the power `exponent`.
+    #[must_use]
+    fn powf(self, exponent: Self) -> Self;
+
+    /// The angle of (`x`, `self`) from the first axis, in radians, -pi..pi.
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
 
     /// The error function 2/sqrt(pi) times the integral of exp(-t^2) from 0 to `self`.
     #[must_use]
@@ -66,13 +189,13 @@ pub trait Real: Float + FloatConst + Debug + Send + Sync + 'static {
     #[must_use]
     #[inline(always)]
     fn ierfc(self) -> Self {
-        Self::of(0.5) * Self::FRAC_2_SQRT_PI() * (-(self * self)).exp() - self * self.erfc()
+        Self::of(0.5) * Self::frac_2_sqrt_pi() * (-(self * self)).exp() - self * self.erfc()
     }
 
     /// Sine and cosine of the angle of `self` turns, 2 pi `self`.
     #[inline(always)]
     fn sin_cos_turn(self) -> (Self, Self) {
-        Float::sin_cos(Self::TAU() * self)
+        (Self::tau() * self).sin_cos()
     }
 
     /// `self` squared.
@@ -150,17 +273,103 @@ const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
+/// Methods that a type has from num_traits as they are, by what they take and give.
+macro_rules! as_float {
+    (constant $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name() -> Self {
+            <Self as Float>::$name()
+        }
+    )*};
+    (is $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self) -> bool {
+            <Self as Float>::$name(self)
+        }
+    )*};
+    (unary $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self) -> Self {
+            <Self as Float>::$name(self)
+        }
+    )*};
+    (binary $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self, other: Self) -> Self {
+            <Self as Float>::$name(self, other)
+        }
+    )*};
+    (pair $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self) -> (Self, Self) {
+            <Self as Float>::$name(self)
+        }
+    )*};
+}
+
+/// What every number of num_traits has alike: constants, comparisons, and what is one instruction.
+macro_rules! arithmetic {
+    () => {
+        as_float!(constant epsilon min_positive_value max_value);
+        as_float!(is is_nan is_finite);
+        as_float!(unary abs floor sqrt recip);
+        as_float!(binary max min hypot);
+        arithmetic!(pi = PI, tau = TAU, frac_pi_2 = FRAC_PI_2, frac_1_pi = FRAC_1_PI, frac_2_sqrt_pi = FRAC_2_SQRT_PI,
+            frac_1_sqrt_2 = FRAC_1_SQRT_2, ln_2 = LN_2);
+
+        #[inline(always)]
+        fn zero() -> Self {
+            <Self as Zero>::zero()
+        }
+
+        #[inline(always)]
+        fn one() -> Self {
+            <Self as One>::one()
+        }
+    };
+    ($($name:ident = $constant:ident),*) => {$(
+        #[inline(always)]
+        fn $name() -> Self {
+            <Self as FloatConst>::$constant()
+        }
+    )*};
+}
+
+/// Methods that are polynomials.
+macro_rules! polynomials {
+    (unary $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self) -> Self {
+            polynomial::$name(self)
+        }
+    )*};
+    (binary $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self, other: Self) -> Self {
+            polynomial::$name(self, other)
+        }
+    )*};
+    (pair $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self) -> (Self, Self) {
+            polynomial::$name(self)
+        }
+    )*};
+}
+
 impl Real for f32 {
-    type Stored = Self;
     const NAME: &'static str = "f32";
     const VECTORISES: bool = true;
-    // Plain `f32` is what the library's functions are measured with: those are no loops.
-    const DISPATCHES: bool = false;
-    const DISPATCHES_LOBES: bool = false;
-    const FUNCTIONS_VECTORISE: bool = false;
+    const LOBES_VECTORISE: bool = false;
+    const FUNCTIONS_VECTORISE: bool = true;
     const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
     const SQUARABLE: f64 = power_of_two(-60);
     const RESCALE: f64 = power_of_two(90);
+
+    arithmetic!();
+    polynomials!(unary exp exp_m1 ln ln_1p erf erfc ierfc);
+    polynomials!(binary atan2);
+    polynomials!(pair sin_cos sin_cos_turn);
 
     #[inline(always)]
     fn of(x: f64) -> Self {
@@ -168,55 +377,43 @@ impl Real for f32 {
     }
 
     #[inline(always)]
-    fn load(stored: Self) -> Self {
-        stored
-    }
-
-    #[inline(always)]
-    fn store(self) -> Self {
-        self
-    }
-
-    #[inline(always)]
     fn as_f64(self) -> f64 {
         f64::from(self)
     }
 
-    #[inline]
-    fn erf(self) -> Self {
-        libm::erff(self)
+    #[inline(always)]
+    fn sin(self) -> Self {
+        polynomial::sin_cos(self).0
     }
 
-    #[inline]
-    fn erfc(self) -> Self {
-        libm::erfcf(self)
+    #[inline(always)]
+    fn cos(self) -> Self {
+        polynomial::sin_cos(self).1
+    }
+
+    #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        polynomial::exp(exponent * polynomial::ln(self))
     }
 }
 
 impl Real for f64 {
-    type Stored = Self;
     const NAME: &'static str = "f64";
     const VECTORISES: bool = true;
-    const DISPATCHES: bool = true;
-    const DISPATCHES_LOBES: bool = true;
+    const LOBES_VECTORISE: bool = true;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
     const SQUARABLE: f64 = power_of_two(-400);
     const RESCALE: f64 = power_of_two(600);
 
+    arithmetic!();
+    as_float!(unary exp exp_m1 ln ln_1p sin cos);
+    as_float!(binary powf atan2);
+    as_float!(pair sin_cos);
+
     #[inline(always)]
     fn of(x: f64) -> Self {
         x
-    }
-
-    #[inline(always)]
-    fn load(stored: Self) -> Self {
-        stored
-    }
-
-    #[inline(always)]
-    fn store(self) -> Self {
-        self
     }
 
     #[inline(always)]
@@ -229,41 +426,34 @@ impl Real for f64 {
         libm::erf(self)
     }
 
-    #[inline(always)]
-    fn sin_cos_turn(self) -> (Self, Self) {
-        turn::sin_cos_turn(self)
-    }
-
     #[inline]
     fn erfc(self) -> Self {
         libm::erfc(self)
     }
+
+    #[inline(always)]
+    fn sin_cos_turn(self) -> (Self, Self) {
+        turn::sin_cos_turn(self)
+    }
 }
 
 impl Real for Df64 {
-    type Stored = Self;
     const NAME: &'static str = "reference";
     const VECTORISES: bool = false;
-    const DISPATCHES: bool = false;
-    const DISPATCHES_LOBES: bool = false;
+    const LOBES_VECTORISE: bool = false;
     const FUNCTIONS_VECTORISE: bool = false;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON * f64::EPSILON / 4.0;
     const SQUARABLE: f64 = f64::SQUARABLE;
     const RESCALE: f64 = f64::RESCALE;
 
+    arithmetic!();
+    as_float!(unary exp exp_m1 ln ln_1p sin cos);
+    as_float!(binary powf atan2);
+    as_float!(pair sin_cos);
+
     #[inline(always)]
     fn of(x: f64) -> Self {
         Self::new(x)
-    }
-
-    #[inline(always)]
-    fn load(stored: Self) -> Self {
-        stored
-    }
-
-    #[inline(always)]
-    fn store(self) -> Self {
-        self
     }
 
     #[inline(always)]

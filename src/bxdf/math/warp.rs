@@ -18,7 +18,7 @@ pub fn cosine_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
 /// The density of [`cosine_hemisphere`] at a direction of cosine `mu`, in 1/sr.
 #[inline(always)]
 pub fn cosine_hemisphere_pdf<R: Real>(mu: R) -> R {
-    mu * R::FRAC_1_PI()
+    mu * R::frac_1_pi()
 }
 
 /// Uniform points of the unit square to the hemisphere about +z, density 1 / (2 pi) per solid angle; never the horizon.
@@ -35,7 +35,7 @@ pub fn uniform_hemisphere<R: Real>(u: [R; 2]) -> Vec3<R> {
 #[must_use]
 #[inline(always)]
 pub fn uniform_hemisphere_pdf<R: Real>() -> R {
-    R::of(0.5) * R::FRAC_1_PI()
+    R::of(0.5) * R::frac_1_pi()
 }
 
 /// A mixture of [`cosine_hemisphere`], which has the share `cosine_share` and is chosen where `uc` is below it, and
@@ -52,7 +52,7 @@ pub fn mixed_hemisphere<R: Real>(cosine_share: R, uc: R, u: [R; 2]) -> Vec3<R> {
 /// The density of [`mixed_hemisphere`] at a direction of cosine `mu`, in 1/sr.
 #[inline(always)]
 pub fn mixed_hemisphere_pdf<R: Real>(cosine_share: R, mu: R) -> R {
-    (cosine_share * mu + (R::one() - cosine_share) * R::of(0.5)) * R::FRAC_1_PI()
+    (cosine_share * mu + (R::one() - cosine_share) * R::of(0.5)) * R::frac_1_pi()
 }
 
 /// Uniform points of the unit square to the directions about `w`, a unit vector above the surface, that the phase function of

@@ -49,7 +49,7 @@ impl<R: Real> Beckmann<R> {
             alpha_x,
             alpha_y,
             per_alpha: [one / alpha_x, one / alpha_y],
-            peak: one / (R::PI() * (alpha_x * alpha_y)),
+            peak: one / (R::pi() * (alpha_x * alpha_y)),
             raise: R::of(R::RESCALE).ln(),
         }
     }
@@ -107,6 +107,8 @@ impl<R: Real> Beckmann<R> {
 }
 
 impl<R: Real> Normals<R> for Beckmann<R> {
+    const VECTORISES: bool = R::FUNCTIONS_VECTORISE;
+
     /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides. It may underflow to 0.
     #[inline(always)]
     fn d(&self, wh: Vec3<R>) -> R {
@@ -139,7 +141,7 @@ impl<R: Real> Normals<R> for Beckmann<R> {
     #[inline(always)]
     fn masking_excess(&self, w: Vec3<R>) -> R {
         let (z, s, a) = self.z_s_a(w);
-        let excess = s * (-(a * a)).exp() * R::FRAC_2_SQRT_PI() * R::of(0.5) - z * a.erfc();
+        let excess = s * (-(a * a)).exp() * R::frac_2_sqrt_pi() * R::of(0.5) - z * a.erfc();
         excess.max(R::zero())
     }
 

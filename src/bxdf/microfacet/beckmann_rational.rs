@@ -25,6 +25,8 @@ const UNMASKED: f64 = 1.6;
 pub struct BeckmannRational<R>(pub Beckmann<R>);
 
 impl<R: Real> Normals<R> for BeckmannRational<R> {
+    const VECTORISES: bool = R::FUNCTIONS_VECTORISE;
+
     #[inline(always)]
     fn d(&self, wh: Vec3<R>) -> R {
         self.0.d(wh)

@@ -11,6 +11,9 @@ use crate::param::ParamSet;
 
 /// The part that several reflections have in a lobe.
 pub trait SeveralFacets<R: Real>: Send + Sync + 'static {
+    /// Whether loops over it can be compiled for wide registers: those over a table cannot.
+    const VECTORISES: bool;
+
     /// Whether they have a lobe of their own.
     fn has_lobe(&self) -> bool;
 
@@ -29,6 +32,8 @@ pub trait SeveralFacets<R: Real>: Send + Sync + 'static {
 pub struct Uncompensated;
 
 impl<R: Real> SeveralFacets<R> for Uncompensated {
+    const VECTORISES: bool = true;
+
     fn has_lobe(&self) -> bool {
         false
     }
@@ -49,8 +54,10 @@ impl<R: Real> SeveralFacets<R> for Uncompensated {
     }
 }
 
-/// Light that meets several facets is given back.
+/// One of them, chosen when the program runs.
 pub enum Compensation<R> {
+    /// As [`Uncompensated`].
+    None,
     /// F_ms / (pi (1 - Ebar)) times (1 - E(mu_o)) (1 - E(mu_i)).
     KullaConty {
         /// 1 - E.
@@ -70,12 +77,12 @@ pub enum Compensation<R> {
 }
 
 impl<R: Real> Compensation<R> {
-    /// The choice in `params`; `None` where several reflections are left out.
+    /// The choice in `params`.
     pub fn from_params(
         params: &ParamSet,
         fresnel: &impl FacetFresnel<R>,
         masking: Masking,
-    ) -> Option<Self> {
+    ) -> Self {
         let table = || {
             let alpha = (params.number("alpha_x") * params.number("alpha_y")).sqrt();
             EnergyTable::of(Distribution::<R>::is_beckmann(params), alpha, masking)
@@ -88,26 +95,28 @@ impl<R: Real> Compensation<R> {
                 let one = R::one();
                 let colour = mean.map(|f| f * f * (one - lost) / (one - f * lost));
                 let scale = if lost > R::zero() {
-                    R::FRAC_1_PI() / lost
+                    R::frac_1_pi() / lost
                 } else {
                     R::zero()
                 };
-                Some(Self::KullaConty {
+                Self::KullaConty {
                     table,
                     factor: colour * scale,
                     weights: [colour.max_channel(), mean.max_channel()],
-                })
+                }
             }
-            "turquin" => Some(Self::Turquin {
+            "turquin" => Self::Turquin {
                 table: table(),
                 f0: fresnel.at(R::one()),
-            }),
-            _ => None,
+            },
+            _ => Self::None,
         }
     }
 }
 
 impl<R: Real> SeveralFacets<R> for Compensation<R> {
+    const VECTORISES: bool = false;
+
     fn has_lobe(&self) -> bool {
         matches!(self, Self::KullaConty { .. })
     }
@@ -119,7 +128,7 @@ impl<R: Real> SeveralFacets<R> for Compensation<R> {
             Self::KullaConty { table, factor, .. } => {
                 *factor * (table.one_minus_e(mu_o) * table.one_minus_e(mu_i))
             }
-            Self::Turquin { .. } => Spectrum::black(),
+            Self::None | Self::Turquin { .. } => Spectrum::black(),
         }
     }
 
@@ -132,7 +141,7 @@ impl<R: Real> SeveralFacets<R> for Compensation<R> {
                 let ratio = lost / (R::one() - lost);
                 f0.map(|f0| R::one() + f0 * ratio)
             }
-            Self::KullaConty { .. } => Spectrum::grey(R::one()),
+            Self::None | Self::KullaConty { .. } => Spectrum::grey(R::one()),
         }
     }
 

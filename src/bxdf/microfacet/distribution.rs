@@ -67,30 +67,12 @@ impl<R: Real> Distribution<R> {
     }
 }
 
-/// `$made` with `$normals` the [`Distribution`] in `$params`: compiled for each, or once for all in a precision `$real`
-/// whose loops have no wide form.
-macro_rules! with_normals {
-    ($real:ty, $params:expr, $normals:ident => $made:expr) => {{
-        use $crate::microfacet::Distribution;
-        let distribution = Distribution::<$real>::from_params($params);
-        if <$real>::VECTORISES {
-            match distribution {
-                Distribution::Ggx($normals) => $made,
-                Distribution::Beckmann($normals) => $made,
-                Distribution::BeckmannRational($normals) => $made,
-            }
-        } else {
-            let $normals = distribution;
-            $made
-        }
-    }};
-}
-
-pub(crate) use with_normals;
-
-/// A distribution of microfacet normals with its masking: what the microfacet models are written over, so that each is
-/// compiled for each distribution and its loops carry no choice.
+/// A distribution of microfacet normals with its masking: what the microfacet models are written over, so that the common
+/// choices are compiled for each distribution and their loops carry no choice.
 pub trait Normals<R: Real>: Copy + Send + Sync + 'static {
+    /// Whether loops over it can be compiled for wide registers.
+    const VECTORISES: bool;
+
     /// The density of microfacet normals at the unit normal `wh`, in 1/sr.
     fn d(&self, wh: Vec3<R>) -> R;
 
@@ -163,6 +145,8 @@ macro_rules! dispatched {
 
 /// The one chosen when the program runs.
 impl<R: Real> Normals<R> for Distribution<R> {
+    const VECTORISES: bool = false;
+
     fn d(&self, wh: Vec3<R>) -> R {
         dispatched!(self.d(wh))
     }

@@ -29,7 +29,7 @@ impl<R: Real> Ggx<R> {
             alpha_x,
             alpha_y,
             per_alpha: [one / alpha_x, one / alpha_y],
-            peak: one / (R::PI() * (alpha_x * alpha_y)),
+            peak: one / (R::pi() * (alpha_x * alpha_y)),
         }
     }
 
@@ -50,6 +50,8 @@ impl<R: Real> Ggx<R> {
 }
 
 impl<R: Real> Normals<R> for Ggx<R> {
+    const VECTORISES: bool = true;
+
     /// The density of microfacet normals at the unit normal `wh`, in 1/sr; the same on both sides.
     #[inline(always)]
     fn d(&self, wh: Vec3<R>) -> R {

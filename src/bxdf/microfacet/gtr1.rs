@@ -29,7 +29,7 @@ impl<R: Real> Gtr1<R> {
     pub fn d(&self, wh: Vec3<R>) -> R {
         let sin2 = wh.x * wh.x + wh.y * wh.y;
         let spread = self.alpha * self.alpha + self.one_minus_alpha2 * sin2;
-        self.one_minus_alpha2 / (-R::PI() * R::of(2.0) * self.ln_alpha * spread)
+        self.one_minus_alpha2 / (-R::pi() * R::of(2.0) * self.ln_alpha * spread)
     }
 
     /// A normal with density [`Self::d`] times its cosine.

@@ -2,6 +2,7 @@
 
 pub mod beckmann;
 pub mod beckmann_rational;
+pub(crate) mod choices;
 pub mod compensation;
 pub mod distribution;
 pub mod ggx;

@@ -119,7 +119,7 @@ impl EnergyTable {
         let k = R::of(self.scale);
         let mu_k = mu + k;
         let dx_dmu = k * (R::one() + k) / (mu_k * mu_k) / (R::of(2.0) * x);
-        interpolated(&self.density, self.place(mu)) * dx_dmu * R::FRAC_1_PI() * R::of(0.5)
+        interpolated(&self.density, self.place(mu)) * dx_dmu * R::frac_1_pi() * R::of(0.5)
     }
 
     /// A direction above the surface with density [`Self::pdf`].

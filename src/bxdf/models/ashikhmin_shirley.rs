@@ -58,12 +58,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[
         StandIn {
             name: "One exponent for two",
@@ -120,7 +115,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
         diffuse: Spectrum::of(params.rgb("diffuse")) * specular.map(|rs| one - rs),
         exponent_x: nx,
         exponent_y: ny,
-        peak: ((nx + one) * (ny + one)).sqrt() * R::of(0.5) * R::FRAC_1_PI(),
+        peak: ((nx + one) * (ny + one)).sqrt() * R::of(0.5) * R::frac_1_pi(),
     }))
 }
 
@@ -176,7 +171,7 @@ impl<R: Real> OverDiffuse<R> for AshikhminShirley<R> {
 
     #[inline(always)]
     fn diffuse(&self, pair: &Pair<R>) -> Spectrum<R> {
-        let normalisation = R::of(28.0) / R::of(23.0) * R::FRAC_1_PI();
+        let normalisation = R::of(28.0) / R::of(23.0) * R::frac_1_pi();
         self.diffuse * (normalisation * let_through(pair.wo.z) * let_through(pair.wi.z))
     }
 

@@ -49,12 +49,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // A power of a cosine without a Fresnel factor: no model here has a cheaper highlight.
     stand_ins: &[],
 };
@@ -72,11 +67,11 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     let diffuse = Spectrum::of(params.rgb("diffuse"));
     let specular = Spectrum::of(params.rgb("specular"));
     let n = R::of(params.number("exponent"));
-    let two_to_minus_half_n = (-(n * R::LN_2() * R::of(0.5))).exp();
+    let two_to_minus_half_n = (-(n * R::ln_2() * R::of(0.5))).exp();
     let normalisation =
-        (n + R::of(2.0)) * (n + R::of(4.0)) / (R::of(8.0) * R::PI() * (two_to_minus_half_n + n));
+        (n + R::of(2.0)) * (n + R::of(4.0)) / (R::of(8.0) * R::pi() * (two_to_minus_half_n + n));
     Box::new(Mixture(BlinnPhong {
-        diffuse: diffuse * R::FRAC_1_PI(),
+        diffuse: diffuse * R::frac_1_pi(),
         peak: specular * normalisation,
         exponent: n,
         shares: shares(specular, diffuse),
@@ -94,7 +89,7 @@ impl<R: Real> OverDiffuse<R> for BlinnPhong<R> {
         let Pair { wh, cos_d, .. } = *pair;
         let power = cosine_power::of_normal(wh, self.exponent);
         // (n + 1) / (2 pi) cos^n per solid angle of wh, 4 (wo.wh) of wi for one of wh.
-        let of_wh = (self.exponent + R::one()) * R::of(0.5) * R::FRAC_1_PI() * power;
+        let of_wh = (self.exponent + R::one()) * R::of(0.5) * R::frac_1_pi() * power;
         (of_wh / (R::of(4.0) * cos_d)).saturated()
     }
 

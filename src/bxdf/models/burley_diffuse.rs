@@ -46,12 +46,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[LAMBERT],
 };
 
@@ -68,6 +63,8 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
+    loops!(R, if true);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -77,7 +74,7 @@ impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
         let f90_minus_1 = R::of(2.0) * self.roughness * cos2_d - R::of(0.5);
         let factor_o = R::one() + f90_minus_1 * schlick_weight(wo.z);
         let factor_i = R::one() + f90_minus_1 * schlick_weight(wi.z);
-        self.reflectance * (factor_o * factor_i * R::FRAC_1_PI())
+        self.reflectance * (factor_o * factor_i * R::frac_1_pi())
     }
 
     #[inline(always)]

@@ -67,12 +67,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // A fit as it stands: no model here has its rim for less.
     stand_ins: &[],
 };
@@ -122,7 +117,7 @@ impl<R: Real> CharlieSheen<R> {
     /// The density of fibre normals, in 1/sr, over the power of the sine in it.
     #[inline(always)]
     fn d_per_power(&self) -> R {
-        (R::of(2.0) + self.inverse_roughness) / R::TAU()
+        (R::of(2.0) + self.inverse_roughness) / R::tau()
     }
 
     /// The root of the power sin^(1/r) in the density of fibre normals at the unit half vector `wh`: where the power
@@ -174,6 +169,8 @@ impl<R: Real> CharlieSheen<R> {
 }
 
 impl<R: Real> Bxdf<R> for CharlieSheen<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {

@@ -45,12 +45,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     ],
     properties: Properties::PLAIN,
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[StandIn {
         name: "Smith masking and Schlick for grooves and exact Fresnel",
         lost: "Grooves no longer cut the highlight off with a crease, and the reflectance rises towards the horizon by a \
@@ -137,6 +132,8 @@ impl<R: Real> CookTorrance<R> {
 }
 
 impl<R: Real> Bxdf<R> for CookTorrance<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
+
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]

@@ -39,12 +39,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     ],
     properties: Properties::PLAIN,
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[
         StandIn {
             name: "Oren-Nayar for the energy-preserving form",
@@ -89,7 +84,7 @@ struct Eon<R> {
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    let (one, pi) = (R::one(), R::PI());
+    let (one, pi) = (R::one(), R::pi());
     let reflectance = Spectrum::of(params.rgb("reflectance"));
     let roughness = R::of(params.number("roughness"));
     // The paper's constants: c1 = 1/2 - 2/(3 pi), and c1 - c2 with c2 = 2/3 - 28/(15 pi).
@@ -122,11 +117,13 @@ pub(crate) fn loss<R: Real>(w: Vec3<R>) -> R {
     let s = s2.sqrt();
     let elevation = mu.atan2(s);
     let one_plus_s = one + s;
-    (R::FRAC_PI_2() - two / three) * mu * mu / one_plus_s + s * elevation + s2 * mu
+    (R::frac_pi_2() - two / three) * mu * mu / one_plus_s + s * elevation + s2 * mu
         - two / three * s * mu * (one + s + s2) / one_plus_s
 }
 
 impl<R: Real> Bxdf<R> for Eon<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {

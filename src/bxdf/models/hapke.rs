@@ -85,12 +85,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[
         StandIn {
             name: "Without opposition surge",
@@ -186,7 +181,7 @@ impl<R: Real> Hapke<R> {
     /// f in 1/sr for what is `scattered` by grains in all, relative to an isotropic one.
     #[inline(always)]
     fn value(&self, wo: Vec3<R>, wi: Vec3<R>, scattered: Spectrum<R>) -> Spectrum<R> {
-        let scale = R::of(0.25) * R::FRAC_1_PI() / (wi.z + wo.z);
+        let scale = R::of(0.25) * R::frac_1_pi() / (wi.z + wo.z);
         (self.albedo * scattered).map(|x| (x * scale).saturated())
     }
 
@@ -194,7 +189,7 @@ impl<R: Real> Hapke<R> {
     #[inline(always)]
     fn phase_pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         let (d2, s2) = chords(wo, wi);
-        self.phase(d2, s2) * R::of(0.25) * R::FRAC_1_PI()
+        self.phase(d2, s2) * R::of(0.25) * R::frac_1_pi()
     }
 
     /// The shares of the phase function and of the cosine among the samples at `mu_o`, the latter of what is left.
@@ -225,6 +220,8 @@ fn chords<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> (R, R) {
 }
 
 impl<R: Real> Bxdf<R> for Hapke<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {

@@ -25,12 +25,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     parameters: &[REFLECTANCE],
     properties: Properties::PLAIN,
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // Nothing is cheaper.
     stand_ins: &[],
 };
@@ -46,10 +41,12 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for LambertianReflection<R> {
+    loops!(R, if true);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         match both_above(wo, wi) {
-            Some(_) => self.reflectance * R::FRAC_1_PI(),
+            Some(_) => self.reflectance * R::frac_1_pi(),
             None => Spectrum::black(),
         }
     }

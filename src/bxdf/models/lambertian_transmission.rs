@@ -29,12 +29,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     )],
     properties: Properties::PLAIN,
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // Nothing is cheaper.
     stand_ins: &[],
 };
@@ -50,10 +45,12 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
+    loops!(R, if true);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         if are_across(wo, wi) {
-            self.transmittance * R::FRAC_1_PI()
+            self.transmittance * R::frac_1_pi()
         } else {
             Spectrum::black()
         }
@@ -62,7 +59,7 @@ impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
     #[inline(always)]
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
         if are_across(wo, wi) {
-            wi.z.abs() * R::FRAC_1_PI()
+            wi.z.abs() * R::frac_1_pi()
         } else {
             R::zero()
         }

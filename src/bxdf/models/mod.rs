@@ -24,13 +24,13 @@ mod thin_dielectric;
 mod velvet;
 mod ward;
 
+use super::batch::loops;
 use super::math::{Real, Vec3};
 use super::param::{ParamSpec, Value};
-use super::spec::{
-    Builders, Category, Declaration, Law, Lobe, ModelSpec, Properties, Side, StandIn,
-};
+use super::spec::{Category, Declaration, Law, Lobe, ModelSpec, Properties, Side, StandIn};
 use super::{Bxdf, Sample};
-use crate::error::{Error, Result};
+use crate::builders;
+use crate::error::Result;
 
 /// Every model, in the order of the catalogue: grouped by category.
 pub static MODELS: [&ModelSpec; 23] = [
@@ -61,17 +61,6 @@ pub static MODELS: [&ModelSpec; 23] = [
 
 /// The model to begin with: its lobe shows at once what the direction of the light does.
 pub static START: &ModelSpec = &rough_conductor::SPEC;
-
-/// The model with this id.
-///
-/// # Errors
-/// [`Error::UnknownId`], with the nearest ids.
-pub fn find(id: &str) -> Result<&'static ModelSpec> {
-    MODELS
-        .into_iter()
-        .find(|model| model.id == id)
-        .ok_or_else(|| Error::unknown("model", id, MODELS.iter().map(|model| model.id)))
-}
 
 /// The reflectance of a diffuse or wholly reflecting surface.
 const REFLECTANCE: ParamSpec = ParamSpec::rgb(

@@ -47,12 +47,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[LAMBERT],
 };
 
@@ -63,7 +58,7 @@ struct OrenNayar<R> {
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    let sigma = R::of(params.number("sigma")) * R::PI() / R::of(180.0);
+    let sigma = R::of(params.number("sigma")) * R::pi() / R::of(180.0);
     let sigma2 = sigma * sigma;
     // The paper's decimals, formed in the precision of the model.
     let hundredths = |n: f64| R::of(n) / R::of(100.0);
@@ -75,6 +70,8 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for OrenNayar<R> {
+    loops!(R, if true);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -82,7 +79,7 @@ impl<R: Real> Bxdf<R> for OrenNayar<R> {
         };
         let s = wi.x * wo.x + wi.y * wo.y;
         let bulge = s.max(R::zero()) / wi.z.max(wo.z);
-        let shape = (self.a + self.b * bulge).saturated() * R::FRAC_1_PI();
+        let shape = (self.a + self.b * bulge).saturated() * R::frac_1_pi();
         self.reflectance * shape
     }
 

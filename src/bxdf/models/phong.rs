@@ -49,12 +49,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // A power of a cosine without a Fresnel factor: no model here has a cheaper highlight.
     stand_ins: &[],
 };
@@ -71,7 +66,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     let diffuse = Spectrum::of(params.rgb("diffuse"));
     let specular = Spectrum::of(params.rgb("specular"));
     Box::new(Mixture(Phong {
-        diffuse: diffuse * R::FRAC_1_PI(),
+        diffuse: diffuse * R::frac_1_pi(),
         specular,
         exponent: R::of(params.number("exponent")),
         shares: shares(specular, diffuse),
@@ -83,7 +78,7 @@ impl<R: Real> Phong<R> {
     #[inline(always)]
     fn power(&self, pair: &Pair<R>) -> R {
         let mirror = pair.wo.mirrored_about_normal();
-        cosine_power::between(pair.wi, mirror, self.exponent) * R::of(0.5) * R::FRAC_1_PI()
+        cosine_power::between(pair.wi, mirror, self.exponent) * R::of(0.5) * R::frac_1_pi()
     }
 }
 

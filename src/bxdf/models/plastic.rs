@@ -20,11 +20,12 @@
 
 use super::*;
 use crate::math::warp;
-use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
+use crate::microfacet::choices::with_choices;
+use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};
 use crate::microfacet::{Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
 use crate::optics::Spectrum;
 use crate::optics::fresnel::RelativeIndex;
-use crate::optics::interface::{self, INTERFACE, Interface, with_interface};
+use crate::optics::interface::{self, INTERFACE, Interface};
 use crate::param::{ParamSet, Scale};
 use crate::{Delta, Deltas, Microfacet, reflected_direction, sample_reflection};
 
@@ -91,12 +92,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::TWO_WIDTHS
     },
     validate,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[
         interface::LAZANYI,
         interface::SCHLICK,
@@ -145,9 +141,9 @@ struct Plastic<R, N, I> {
 }
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    with_normals!(R, params, normals => {
-        with_interface!(R, params, interface => build_with(params, normals, interface))
-    })
+    with_choices!(R, params, |normals, interface| build_with(
+        params, normals, interface
+    ))
 }
 
 fn build_with<R: Real>(
@@ -162,7 +158,7 @@ fn build_with<R: Real>(
     let ground = Spectrum::of(params.rgb("diffuse")).map(|rho| {
         let d = if is_nonlinear { rho } else { one };
         // n^2 (1 - d Fdr_int), n^2 (1 - Fdr_int) being the diffuse transmittance.
-        rho * R::FRAC_1_PI() / (eta * eta * (one - d) + d * diffuse_t)
+        rho * R::frac_1_pi() / (eta * eta * (one - d) + d * diffuse_t)
     });
     let is_rough = params.number("alpha_x") > 0.0;
     Box::new(Plastic {
@@ -170,11 +166,13 @@ fn build_with<R: Real>(
         interface,
         coat: is_rough.then(|| (normals, Masking::from_params(params))),
         ground,
-        ground_albedo: ground.max_channel() * R::PI() * diffuse_t,
+        ground_albedo: ground.max_channel() * R::pi() * diffuse_t,
     })
 }
 
 impl<R: Real, N: Normals<R>, I: Interface<R>> Plastic<R, N, I> {
+    const IS_WIDE: bool = N::VECTORISES && I::VECTORISES;
+
     /// The coat's lobe; 0 where it is a delta.
     #[inline(always)]
     fn coat_value(&self, pair: &Pair<R>) -> Spectrum<R> {
@@ -231,6 +229,8 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Plastic<R, N, I> {
 }
 
 impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for Plastic<R, N, I> {
+    loops!(R, if Self::IS_WIDE);
+
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]

@@ -110,12 +110,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[
         StandIn {
             name: "Without sheen",
@@ -195,7 +190,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     let [alpha_x, alpha_y] = widths(number("roughness"), number("anisotropic"));
     let quarter = R::of(0.25);
     Box::new(Principled {
-        body: base * ((one - metallic) * R::FRAC_1_PI()),
+        body: base * ((one - metallic) * R::frac_1_pi()),
         subsurface: number("subsurface"),
         roughness: number("roughness"),
         sheen: tinted(number("sheen_tint")) * ((one - metallic) * number("sheen")),
@@ -267,7 +262,7 @@ impl<R: Real> Principled<R> {
         let weight = schlick_weight(mu_o).max(R::of(MEAN_SCHLICK));
         let specular = mix(self.f0.max_channel(), R::one(), weight);
         let diffuse =
-            self.body.max_channel() * R::PI() + self.sheen.max_channel() * R::of(SHEEN_ALBEDO);
+            self.body.max_channel() * R::pi() + self.sheen.max_channel() * R::of(SHEEN_ALBEDO);
         let coat = self.clearcoat * mix(R::of(4.0) / R::of(100.0), R::one(), weight);
         let sum = specular + diffuse + coat;
         [specular / sum, diffuse / sum, coat / sum]
@@ -290,6 +285,8 @@ impl<R: Real> Principled<R> {
 }
 
 impl<R: Real> Bxdf<R> for Principled<R> {
+    loops!(R, if true);
+
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]

@@ -33,12 +33,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     ],
     properties: Properties::TWO_WIDTHS,
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[ONE_WIDTH],
 };
 
@@ -76,6 +71,8 @@ impl<R: Real> RetroReflector<R> {
 }
 
 impl<R: Real> Bxdf<R> for RetroReflector<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
+
     evaluated_by_pair!(Self::pair);
 
     #[inline(always)]

@@ -26,12 +26,14 @@ use std::marker::PhantomData;
 use super::*;
 use crate::math::warp;
 use crate::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
-use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
-use crate::microfacet::{ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair};
+use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};
+use crate::microfacet::{
+    ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair,
+};
 use crate::optics::Spectrum;
 use crate::optics::conductor::Conductor;
-use crate::optics::facet_fresnel::{AnyFresnel, FacetFresnel, Lazanyi, One, Schlick};
-use crate::optics::metal::{GreyMetal, Metal};
+use crate::optics::facet_fresnel::{AnyFresnel, FacetFresnel, Lazanyi, Schlick};
+use crate::optics::metal::Metal;
 use crate::param::ParamSet;
 use crate::{Microfacet, reflected_direction, sample_reflection};
 
@@ -76,12 +78,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             Ok(())
         }
     },
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[
         StandIn {
             name: "Schlick with Lazanyi's term for exact Fresnel",
@@ -183,44 +180,71 @@ struct RoughConductor<R, N, F, C> {
     precision: PhantomData<R>,
 }
 
-/// Each choice becomes a type, so that each combination is compiled by itself and its loops carry no choice; but not in a
-/// precision that gains nothing by it.
+/// The common choices become types, so that each is compiled by itself and its loops carry no choice. The rare ones, and all
+/// where loops gain nothing by it, share one.
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
-    with_normals!(R, params, normals => build_with_normals(params, normals))
-}
-
-fn build_with_normals<R: Real>(params: &ParamSet, normals: impl Normals<R>) -> Box<dyn Bxdf<R>> {
     let spectrum = |name| Spectrum::of(params.rgb(name));
-    let (Spectrum(eta), Spectrum(k)) = (spectrum("eta"), spectrum("k"));
+    let metal = Metal::new(spectrum("eta").0, spectrum("k").0);
     let fresnel = match params.choice("fresnel") {
         "schlick" => AnyFresnel::Schlick(Schlick(spectrum("f0"))),
-        "lazanyi" => AnyFresnel::Lazanyi(Lazanyi::new(&Conductor::new(eta, k))),
-        "one" => AnyFresnel::One(One),
-        _ => AnyFresnel::Conductor(Conductor::new(eta, k)),
-    };
-    let masking = Masking::from_params(params);
-    if let Some(compensation) = Compensation::from_params(params, &fresnel, masking) {
-        // Loops over a table hardly vectorise: here the choice of Fresnel term costs nothing.
-        return boxed(normals, masking, fresnel, compensation);
-    }
-    if !R::VECTORISES {
-        return boxed(normals, masking, fresnel, Uncompensated);
-    }
-    match fresnel {
-        AnyFresnel::Conductor(exact) => {
-            if R::FUNCTIONS_VECTORISE {
-                if let Some(grey) = GreyMetal::new(eta, k) {
-                    return boxed(normals, masking, grey, Uncompensated);
-                }
-                if let Some(metal) = Metal::new(eta, k) {
-                    return boxed(normals, masking, metal, Uncompensated);
-                }
+        "one" => AnyFresnel::Schlick(Schlick(Spectrum::grey(R::one()))),
+        word => {
+            let exact = Conductor::new(spectrum("eta").0, spectrum("k").0);
+            if word == "lazanyi" {
+                AnyFresnel::Lazanyi(Lazanyi::new(&exact))
+            } else {
+                AnyFresnel::Conductor(exact)
             }
-            boxed(normals, masking, exact, Uncompensated)
         }
-        AnyFresnel::Schlick(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
-        AnyFresnel::Lazanyi(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
-        AnyFresnel::One(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
+    };
+    let (normals, masking) = (
+        Distribution::from_params(params),
+        Masking::from_params(params),
+    );
+    let compensation = Compensation::from_params(params, &fresnel, masking);
+    if R::VECTORISES && matches!(compensation, Compensation::None) {
+        let own = match normals {
+            Distribution::Ggx(ggx) => {
+                if R::FUNCTIONS_VECTORISE
+                    && let (AnyFresnel::Conductor(_), Some(metal)) = (fresnel, metal)
+                    && let Some(grey) = metal.grey()
+                {
+                    return boxed(ggx, masking, grey, Uncompensated);
+                }
+                own(ggx, masking, fresnel, metal)
+            }
+            Distribution::Beckmann(normals) => own(normals, masking, fresnel, metal),
+            Distribution::BeckmannRational(normals) => own(normals, masking, fresnel, metal),
+        };
+        if let Some(own) = own {
+            return own;
+        }
+    }
+    boxed(normals, masking, fresnel, compensation)
+}
+
+/// The model with loops of its own, where this choice has them.
+fn own<R: Real, N: Normals<R>>(
+    normals: N,
+    masking: Masking,
+    fresnel: AnyFresnel<R>,
+    metal: Option<Metal<R>>,
+) -> Option<Box<dyn Bxdf<R>>> {
+    if !N::VECTORISES {
+        return None;
+    }
+    if R::FUNCTIONS_VECTORISE {
+        Some(match fresnel {
+            AnyFresnel::Conductor(_) => boxed(normals, masking, metal?, Uncompensated),
+            AnyFresnel::Schlick(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
+            AnyFresnel::Lazanyi(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
+        })
+    } else {
+        Some(match fresnel {
+            AnyFresnel::Conductor(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
+            AnyFresnel::Schlick(fresnel) => boxed(normals, masking, fresnel, Uncompensated),
+            AnyFresnel::Lazanyi(_) => return None,
+        })
     }
 }
 
@@ -246,6 +270,8 @@ where
     F: FacetFresnel<R>,
     C: SeveralFacets<R>,
 {
+    const IS_WIDE: bool = N::VECTORISES && F::VECTORISES && C::VECTORISES;
+
     /// The reflectance of the facet that mirrors one direction into the other.
     #[inline(always)]
     fn fresnel_at(&self, pair: &Pair<R>) -> Spectrum<R> {
@@ -287,6 +313,8 @@ where
     F: FacetFresnel<R>,
     C: SeveralFacets<R>,
 {
+    loops!(R, if Self::IS_WIDE);
+
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]

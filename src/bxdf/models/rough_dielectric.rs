@@ -20,12 +20,13 @@
 
 use super::*;
 use crate::delta_only::{DeltaOnly, Unscattered};
-use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING, with_normals};
+use crate::microfacet::choices::with_choices;
+use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};
 use crate::microfacet::refraction::{Facet, upright};
 use crate::microfacet::{ALPHA_X, ALPHA_Y, Masking, Normals, ONE_WIDTH};
 use crate::optics::Spectrum;
 use crate::optics::fresnel::RelativeIndex;
-use crate::optics::interface::{self, INTERFACE, Interface, with_interface};
+use crate::optics::interface::{self, INTERFACE, Interface};
 use crate::param::ParamSet;
 use crate::{Microfacet, are_across};
 
@@ -56,12 +57,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[
         interface::LAZANYI,
         interface::SCHLICK,
@@ -83,9 +79,9 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     if R::of(params.number("eta")) == R::one() {
         return Box::new(DeltaOnly(Unscattered));
     }
-    with_normals!(R, params, normals => {
-        with_interface!(R, params, interface => build_with(params, normals, interface))
-    })
+    with_choices!(R, params, |normals, interface| build_with(
+        params, normals, interface
+    ))
 }
 
 fn build_with<R: Real>(
@@ -103,6 +99,8 @@ fn build_with<R: Real>(
 }
 
 impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
+    const IS_WIDE: bool = N::VECTORISES && I::VECTORISES;
+
     /// The index on the other side over that on the side of `w`.
     #[inline(always)]
     fn index_across(&self, w: Vec3<R>) -> RelativeIndex<R> {
@@ -200,6 +198,8 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
 }
 
 impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for RoughDielectric<R, N, I> {
+    loops!(R, if Self::IS_WIDE);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.value_of(self.facet(wo, wi))

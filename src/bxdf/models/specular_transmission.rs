@@ -36,12 +36,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // Deltas alone: there is no value to evaluate for less.
     stand_ins: &[],
 };

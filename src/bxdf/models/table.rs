@@ -44,12 +44,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // What it was made of is not known.
     stand_ins: &[],
 };
@@ -84,6 +79,8 @@ impl<R: Real> Baked<R> {
 }
 
 impl<R: Real> Bxdf<R> for Baked<R> {
+    loops!(R, if false);
+
     evaluated_by_pair!(Pair::above);
 
     fn sample_f(&self, wo: Vec3<R>, _uc: R, [u, v]: [R; 2]) -> Option<Sample<R>> {

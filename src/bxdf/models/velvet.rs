@@ -46,12 +46,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     ],
     properties: Properties::PLAIN,
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     // One exponential and one quotient: no model here makes a rim for less.
     stand_ins: &[],
 };
@@ -82,7 +77,7 @@ impl<R: Real> Velvet<R> {
         } else {
             R::zero()
         };
-        (one + four * rise) / (R::PI() * (one + four * self.alpha * self.alpha))
+        (one + four * rise) / (R::pi() * (one + four * self.alpha * self.alpha))
     }
 
     /// The share of samples about the normal: see the file's notes on validity.
@@ -93,6 +88,8 @@ impl<R: Real> Velvet<R> {
 }
 
 impl<R: Real> Bxdf<R> for Velvet<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
+
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {

@@ -91,12 +91,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ..Properties::TWO_WIDTHS
     },
     validate: ModelSpec::any,
-    builders: Builders {
-        f32: build,
-        library: build,
-        f64: build,
-        reference: build,
-    },
+    builders: builders!(build),
     stand_ins: &[ONE_WIDTH],
 };
 
@@ -131,7 +126,7 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
     let diffuse = Spectrum::of(params.rgb("diffuse"));
     let specular = Spectrum::of(params.rgb("specular"));
     Box::new(Mixture(Ward {
-        diffuse: diffuse * R::FRAC_1_PI(),
+        diffuse: diffuse * R::frac_1_pi(),
         specular,
         slopes: GaussianSlopes::new(
             R::of(params.number("alpha_x")),

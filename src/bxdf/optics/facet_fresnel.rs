@@ -9,6 +9,9 @@ use crate::math::quadrature::gauss_legendre;
 
 /// The reflectance of a mirror facet.
 pub trait FacetFresnel<R: Real>: Copy + Send + Sync + 'static {
+    /// Whether loops over it can be compiled for wide registers.
+    const VECTORISES: bool = true;
+
     /// At the cosine `cos_d` with the facet's normal, 0..1.
     fn at(&self, cos_d: R) -> Spectrum<R>;
 
@@ -62,10 +65,6 @@ impl<R: Real> Lazanyi<R> {
         }
     }
 }
-
-/// All light, at every angle.
-#[derive(Clone, Copy, Debug)]
-pub struct One;
 
 /// Nodes of the mean Fresnel reflectance: 1e-6 for metals; 1e-4 where the reflectance has the kink of a critical angle.
 const NODES: usize = 32;
@@ -122,17 +121,6 @@ impl<R: Real> FacetFresnel<R> for Lazanyi<R> {
     }
 }
 
-impl<R: Real> FacetFresnel<R> for One {
-    #[inline(always)]
-    fn at(&self, _cos_d: R) -> Spectrum<R> {
-        Spectrum::grey(R::one())
-    }
-
-    fn mean(&self) -> Spectrum<R> {
-        Spectrum::grey(R::one())
-    }
-}
-
 /// One of them, chosen when the program runs.
 #[derive(Clone, Copy, Debug)]
 pub enum AnyFresnel<R> {
@@ -142,18 +130,17 @@ pub enum AnyFresnel<R> {
     Schlick(Schlick<R>),
     /// By that with the term of Lazanyi & Szirmay-Kalos.
     Lazanyi(Lazanyi<R>),
-    /// All light.
-    One(One),
 }
 
 impl<R: Real> FacetFresnel<R> for AnyFresnel<R> {
+    const VECTORISES: bool = false;
+
     #[inline(always)]
     fn at(&self, cos_d: R) -> Spectrum<R> {
         match self {
             Self::Conductor(exact) => exact.at(cos_d),
             Self::Schlick(schlick) => schlick.at(cos_d),
             Self::Lazanyi(lazanyi) => lazanyi.at(cos_d),
-            Self::One(one) => one.at(cos_d),
         }
     }
 
@@ -170,7 +157,6 @@ impl<R: Real> FacetFresnel<R> for AnyFresnel<R> {
             Self::Conductor(exact) => exact.mean(),
             Self::Schlick(schlick) => schlick.mean(),
             Self::Lazanyi(lazanyi) => lazanyi.mean(),
-            Self::One(one) => FacetFresnel::<R>::mean(one),
         }
     }
 }

@@ -38,6 +38,9 @@ fn approximated(params: &ParamSet, fresnel: &'static str) -> Option<String> {
 
 /// The reflectance and transmittance of a clear interface.
 pub trait Interface<R: Real>: Copy + Send + Sync + 'static {
+    /// Whether loops over it can be compiled for wide registers.
+    const VECTORISES: bool = true;
+
     /// What becomes of light that meets it at the cosine `cos_i`, the square of the sine being `s2`; see
     /// [`fresnel::dielectric_with_sine`].
     fn with_sine(&self, cos_i: R, s2: R, index: RelativeIndex<R>) -> Dielectric<R>;
@@ -191,27 +194,9 @@ impl<R: Real> AnyInterface<R> {
     }
 }
 
-/// `$made` with `$interface` the [`AnyInterface`] in `$params`: compiled for each, or once for all in a precision `$real`
-/// whose loops have no wide form.
-macro_rules! with_interface {
-    ($real:ty, $params:expr, $interface:ident => $made:expr) => {{
-        use $crate::optics::interface::AnyInterface;
-        let any = AnyInterface::<$real>::from_params($params);
-        if <$real>::VECTORISES {
-            match any {
-                AnyInterface::Exact($interface) => $made,
-                AnyInterface::Approximate($interface) => $made,
-            }
-        } else {
-            let $interface = any;
-            $made
-        }
-    }};
-}
-
-pub(crate) use with_interface;
-
 impl<R: Real> Interface<R> for AnyInterface<R> {
+    const VECTORISES: bool = false;
+
     #[inline(always)]
     fn with_sine(&self, cos_i: R, s2: R, index: RelativeIndex<R>) -> Dielectric<R> {
         match self {

@@ -40,6 +40,13 @@ impl<R: Real> Metal<R> {
         ]))
     }
 
+    /// As the metal of one channel, where all have the same index.
+    #[must_use]
+    pub fn grey(&self) -> Option<GreyMetal<R>> {
+        let [red, green, blue] = self.0;
+        (red == green && red == blue).then_some(GreyMetal(red))
+    }
+
     /// The reflectance of each channel, 0..1, at the cosine `cos_i` of the incident direction, 0..1.
     #[inline(always)]
     pub fn reflectance(&self, cos_i: R) -> [R; 3] {
@@ -58,17 +65,6 @@ impl<R: Real> Metal<R> {
 }
 
 impl<R: Real> GreyMetal<R> {
-    /// As [`Metal::new`]; `None` where the channels differ, too.
-    #[must_use]
-    pub fn new(eta: [R; 3], k: [R; 3]) -> Option<Self> {
-        let ([n, n1, n2], [k, k1, k2]) = (eta, k);
-        if n == n1 && n == n2 && k == k1 && k == k2 {
-            Some(Self(Channel::fitted(n, k)?))
-        } else {
-            None
-        }
-    }
-
     /// The reflectance, 0..1, at the cosine `cos_i` of the incident direction, 0..1.
     #[inline(always)]
     pub fn reflectance(&self, cos_i: R) -> R {
@@ -101,7 +97,7 @@ impl<R: Real> Cosines<R> {
 }
 
 /// One channel, of index n + ik.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Channel<R> {
     /// 2 A by powers of sin^2.
     twice_root: [R; TERMS],
@@ -185,7 +181,6 @@ fn interpolated(function: impl Fn(f64) -> f64) -> [f64; TERMS] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Fast;
     use crate::optics::conductor::Conductor;
 
     /// n and k at red, green and blue: silver, gold, copper, iron, aluminium, and what is just a metal here.
@@ -201,13 +196,13 @@ mod tests {
     #[test]
     fn the_fit_is_the_exact_reflectance_to_some_roundings() {
         for (eta, k) in METALS {
-            let singles = [eta, k].map(|values| values.map(Fast::of));
+            let singles = [eta, k].map(|values| values.map(f32::of));
             let [eta, k] = singles;
             let metal = Metal::new(eta, k).unwrap();
             let exact = Conductor::new(eta.map(Real::as_f64), k.map(Real::as_f64));
             for step in 0..=1000_u16 {
                 let c = f32::from(step) / 1000.0;
-                let found = metal.reflectance(Fast(c)).map(Real::as_f64);
+                let found = metal.reflectance(c).map(Real::as_f64);
                 for (found, exact) in found.into_iter().zip(exact.reflectance(c.into())) {
                     let error = (found / exact - 1.0).abs();
                     assert!(error < 6e-7, "{eta:?} {k:?} {c}: {error}");
@@ -218,17 +213,17 @@ mod tests {
 
     #[test]
     fn a_grey_metal_is_each_channel_of_it() {
-        let (eta, k) = ([Fast(0.2_f32); 3], [Fast(3.9); 3]);
-        let grey = GreyMetal::new(eta, k).unwrap().reflectance(Fast(0.3));
-        let [r, _, b] = Metal::new(eta, k).unwrap().reflectance(Fast(0.3));
-        assert!(r == b && (r.0 / grey.0 - 1.0).abs() < 4e-7);
+        let (eta, k) = ([0.2_f32; 3], [3.9; 3]);
+        let grey = Metal::new(eta, k).unwrap().grey().unwrap().reflectance(0.3);
+        let [r, _, b] = Metal::new(eta, k).unwrap().reflectance(0.3);
+        assert!(r == b && (r / grey - 1.0).abs() < 4e-7);
         let [n, _, _] = eta;
-        assert!(GreyMetal::new([n, n, Fast(0.3)], k).is_none());
+        assert!(Metal::new([n, n, 0.3], k).unwrap().grey().is_none());
     }
 
     #[test]
     fn what_is_no_metal_has_no_fit() {
-        let of = |n: f32, k: f32| Metal::new([Fast(n); 3], [Fast(k); 3]);
+        let of = |n: f32, k: f32| Metal::new([n; 3], [k; 3]);
         for (n, k) in [(1.5, 0.0), (1.0, 1e-3), (0.2, 0.9), (0.0, 1e10), (1e4, 1e4)] {
             assert!(of(n, k).is_none(), "{n} {k}");
         }

@@ -1,11 +1,11 @@
 //! Light at an interface: spectra of three channels and Fresnel's equations.
 
-pub mod conductor;
-pub mod diffuse_fresnel;
-pub mod facet_fresnel;
-pub mod fresnel;
-pub mod interface;
-pub mod metal;
+pub(crate) mod conductor;
+pub(crate) mod diffuse_fresnel;
+pub(crate) mod facet_fresnel;
+pub(crate) mod fresnel;
+pub(crate) mod interface;
+pub(crate) mod metal;
 pub mod spectrum;
 
 pub use spectrum::Spectrum;

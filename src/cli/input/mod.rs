@@ -16,8 +16,8 @@ use super::args::is_standard_stream;
 use super::output::csv_error;
 use super::say::say;
 use bxdf::error::{Error, Result, shown};
+use bxdf::internals::files;
 use bxdf::math::Vec3;
-use bxdf_study::encoding;
 
 /// The columns read, by name.
 pub const COLUMNS: [&str; 6] = ["wo_x", "wo_y", "wo_z", "wi_x", "wi_y", "wi_z"];
@@ -73,7 +73,7 @@ impl Rows {
     /// As of [`Self::open`].
     pub fn read(source: Box<dyn BufRead>, name: PathBuf) -> Result<Self> {
         let failed = |error| Error::io(&name, error);
-        let mut lines = DataLines::new(encoding::utf8(source).map_err(failed)?);
+        let mut lines = DataLines::new(files::utf8(source).map_err(failed)?);
         let separator = separator(&mut lines).map_err(failed)?;
         let mut rows = Self {
             reader: csv::ReaderBuilder::new()

@@ -191,7 +191,7 @@ mod tests {
         }
 
         fn sample_f(&self, wo: Vec3<f64>, uc: f64, _: [f64; 2]) -> Option<Sample<f64>> {
-            bxdf::sample_deltas(self.deltas(wo), uc)
+            bxdf::internals::sample_deltas(self.deltas(wo), uc)
         }
 
         fn deltas(&self, w: Vec3<f64>) -> Deltas<f64> {

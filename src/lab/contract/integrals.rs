@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::cells::{Hemisphere, Partition, Rectangle};
-use bxdf::math::quadrature::gauss_legendre;
+use bxdf::internals::gauss_legendre;
 
 /// Gauss-Legendre nodes along each axis of a cell.
 const NODES: usize = 6;

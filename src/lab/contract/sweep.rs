@@ -147,11 +147,11 @@ pub(crate) fn with_colours(set: &ParamSet, level: f64) -> Option<ParamSet> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bxdf::models;
+    use bxdf::Catalogue;
 
     #[test]
     fn the_sweep_reaches_every_word_and_both_ends() {
-        for model in models::MODELS {
+        for model in Catalogue::current().models() {
             let sets = parameter_sets(model);
             for spec in model.parameters {
                 for word in spec.choices {
@@ -175,7 +175,7 @@ mod tests {
                 }
             }
         }
-        let metal = parameter_sets(models::find("rough_conductor").unwrap());
+        let metal = parameter_sets(Catalogue::current().find("rough_conductor").unwrap());
         assert!(metal.iter().any(|set| set.choice("fresnel") == "one"
             && set.number("alpha_x") == 1e-4
             && set.number("alpha_y") == 1.0));

@@ -8,8 +8,8 @@
 //! A channel holds no more than 1. The red of gold would be 1.04, as its colour lies outside sRGB: it is held at 1.
 
 use super::colour::{FINEST, rgb_weights};
+use bxdf::internals::Conductor;
 use bxdf::math::frame::cos_sin_deg;
-use bxdf::optics::conductor::Conductor;
 
 /// The polar angles at which a channel reflects what the spectrum does, in degrees: normal incidence, which makes the
 /// colour, and the dip that metals have before the horizon.

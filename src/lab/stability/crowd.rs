@@ -48,7 +48,7 @@ impl Point {
     }
 }
 
-fn in_precision<R: Precision + Real<Stored = R>>(
+fn in_precision<R: Precision>(
     model: &ModelSpec,
     params: &ParamSet,
     points: &[Point],

@@ -5,7 +5,6 @@
 //! is not, however close they are, it jumps.
 
 use glam::DVec3;
-use num_traits::FloatConst as _;
 use xprec::Df64;
 
 use super::Case;
@@ -131,7 +130,7 @@ fn linear(from: f64, to: f64) -> Vec<f64> {
 
 /// The direction at these angles in degrees, a unit vector to the last digit of the reference.
 fn direction(theta_deg: Df64, phi_deg: f64) -> Vec3<Df64> {
-    let radians = |degrees: Df64| degrees * Df64::PI() / Df64::of(180.0);
+    let radians = |degrees: Df64| degrees * Df64::pi() / Df64::of(180.0);
     let (sin, cos) = radians(theta_deg).sin_cos();
     let (sin_phi, cos_phi) = radians(Df64::of(phi_deg)).sin_cos();
     Vec3::new(sin * cos_phi, sin * sin_phi, cos)

@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn rows_are_read_as_they_are_written() {
-        let model = bxdf::models::find("oren_nayar").unwrap();
+        let model = bxdf::Catalogue::current().find("oren_nayar").unwrap();
         let worst = Worst {
             params: "oren_nayar:sigma=90".to_owned(),
             wo: DVec3::new(0.6, 0.0, 0.8),

@@ -129,7 +129,7 @@ struct Part<R> {
     weights: [[f64; 3]; 3],
 }
 
-impl<R: Precision<Stored = R>> Spectral<R> {
+impl<R: Precision> Spectral<R> {
     /// `material` at `count` wavelengths.
     fn new(material: &Material, substances: &[Option<&'static Constants>], count: usize) -> Self {
         let all = rgb_weights(count);

@@ -9,6 +9,7 @@ use super::errors::Values;
 use super::report::{CostUnit, Point};
 use super::study::{Stop, Study};
 use bxdf::batch::{Columns, Job, Path};
+use bxdf::internals::Libm;
 use bxdf::math::Real;
 use bxdf::{Bxdf, Precision};
 
@@ -58,8 +59,8 @@ impl Family for Precisions {
             let values = |pairs: &[(DVec3, DVec3)]| values_in(&*single, path, pairs);
             add(bench, name, &values, cost);
         }
-        let library = study.material.build_with_library();
-        let mut batch = Batch::<f32>::new(pairs);
+        let library = study.material.build::<Libm>();
+        let mut batch = Batch::<Libm>::new(pairs);
         let cost = bench
             .time(1.5 * n, &mut || batch.run(&*library, Path::Plain))
             .over(n);
@@ -109,7 +110,7 @@ pub(super) struct Batch<R> {
     f: Columns<R, 3>,
 }
 
-impl<R: Precision + Real<Stored = R>> Batch<R> {
+impl<R: Precision> Batch<R> {
     /// Of these pairs (wo, wi).
     pub(super) fn new(pairs: &[(DVec3, DVec3)]) -> Self {
         let components = |pick: fn(&(DVec3, DVec3)) -> DVec3| {
@@ -140,7 +141,7 @@ impl<R: Precision + Real<Stored = R>> Batch<R> {
 }
 
 /// f of `bxdf` in 1/sr at `pairs`, evaluated in `R`.
-pub(super) fn values_in<R: Precision + Real<Stored = R>>(
+pub(super) fn values_in<R: Precision>(
     bxdf: &dyn Bxdf<R>,
     path: Path,
     pairs: &[(DVec3, DVec3)],

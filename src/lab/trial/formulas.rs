@@ -1,12 +1,12 @@
 //! The quantities on trial, each written twice.
 
-use bxdf::glossy::cosine_power;
+use bxdf::internals::Conductor;
+use bxdf::internals::Normals as _;
+use bxdf::internals::cosine_power;
 use bxdf::internals::eon_loss;
+use bxdf::internals::fresnel;
+use bxdf::internals::{ggx, gtr1};
 use bxdf::math::{Real, Vec3};
-use bxdf::microfacet::Normals as _;
-use bxdf::microfacet::{ggx, gtr1};
-use bxdf::optics::conductor::Conductor;
-use bxdf::optics::fresnel;
 
 /// A quantity that is written twice.
 pub(super) trait Formula {
@@ -41,7 +41,7 @@ impl Formula for Ggx {
         let cos = one_width_off(alpha).z;
         let (one, cos2, alpha2) = (R::one(), cos * cos, alpha * alpha);
         let tan2 = (one - cos2) / cos2;
-        one / (R::PI() * alpha2 * cos2 * cos2 * (one + tan2 / alpha2).powi(2))
+        one / (R::pi() * alpha2 * cos2 * cos2 * (one + tan2 / alpha2).sqr())
     }
 
     fn stable<R: Real>(alpha: R) -> R {
@@ -59,7 +59,7 @@ impl Formula for NearIndexOne {
 
     fn textbook<R: Real>(n: R) -> R {
         let one = R::one();
-        let cos_i = R::FRAC_1_SQRT_2();
+        let cos_i = R::frac_1_sqrt_2();
         let sin_t = (one - cos_i * cos_i).sqrt() / n;
         let cos_t = (one - sin_t * sin_t).sqrt();
         let s = (cos_i - n * cos_t) / (cos_i + n * cos_t);
@@ -68,7 +68,7 @@ impl Formula for NearIndexOne {
     }
 
     fn stable<R: Real>(n: R) -> R {
-        fresnel::dielectric(R::FRAC_1_SQRT_2(), n).reflectance
+        fresnel::dielectric(R::frac_1_sqrt_2(), n).reflectance
     }
 }
 
@@ -104,7 +104,7 @@ impl Lambda {
 impl Formula for Lambda {
     fn textbook<R: Real>(theta: R) -> R {
         let (one, alpha) = (R::one(), R::of(Self::ALPHA));
-        let x = alpha * theta.tan();
+        let x = alpha * theta.sin() / theta.cos();
         ((one + x * x).sqrt() - one) * R::of(0.5)
     }
 
@@ -123,7 +123,7 @@ impl Formula for ClearCoat {
     fn textbook<R: Real>(a: R) -> R {
         let cos = one_width_off(a).z;
         let (one, less_one) = (R::one(), a * a - R::one());
-        less_one / (R::PI() * less_one.ln_1p() * (one + less_one * cos * cos))
+        less_one / (R::pi() * less_one.ln_1p() * (one + less_one * cos * cos))
     }
 
     fn stable<R: Real>(a: R) -> R {
@@ -156,8 +156,8 @@ impl Formula for Fujii {
     fn textbook<R: Real>(mu: R) -> R {
         let (one, two, three) = (R::one(), R::of(2.0), R::of(3.0));
         let s = (one - mu * mu).sqrt();
-        let g = s * (mu.acos() - s * mu) + two / three * (s / mu * (one - s * s * s) - s);
-        R::FRAC_PI_2() - two / three - g
+        let g = s * (s.atan2(mu) - s * mu) + two / three * (s / mu * (one - s * s * s) - s);
+        R::frac_pi_2() - two / three - g
     }
 
     fn stable<R: Real>(mu: R) -> R {

@@ -4,8 +4,8 @@ use egui::collapsing_header::{CollapsingState, paint_default_icon};
 use egui::{Align, Button, Layout, Response, RichText, Role, Ui, WidgetInfo};
 
 use super::params::{self, Ties};
+use bxdf::Catalogue;
 use bxdf::material::{MAX_COMPONENTS, library};
-use bxdf::models::MODELS;
 use bxdf::param::Value;
 use bxdf::{Category, Component, Material, ModelSpec};
 use bxdf_lab::contract::weight_that_keeps_energy;
@@ -226,7 +226,8 @@ fn ask_for_lobe(ui: &mut Ui, n: usize) -> Option<&'static ModelSpec> {
     let menu = |ui: &mut Ui| {
         let button = ui.menu_button("Add a lobe…", |ui| {
             for category in Category::ALL {
-                let models = MODELS.into_iter().filter(|m| m.category() == category);
+                let models = Catalogue::current().models().iter().copied();
+                let models = models.filter(|m| m.category() == category);
                 let button = ui.menu_button(category.title(), |ui| {
                     for model in models {
                         if ui
@@ -300,12 +301,14 @@ fn carry_index(before: &[Component], components: &mut [Component]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bxdf::models;
 
     #[test]
     fn a_lobe_that_is_added_takes_over_the_index() {
         let water: Material = "fresnel_specular:eta=1.33".parse().unwrap();
-        let rough = added(models::find("rough_dielectric").unwrap(), &water);
+        let rough = added(
+            Catalogue::current().find("rough_dielectric").unwrap(),
+            &water,
+        );
         // Clear water gives back all the light.
         assert_eq!((rough.relative_index(), rough.weight()), (1.33, 0.0));
         assert!(told_of(&rough).contains("weight 0: the other lobes"));
@@ -318,7 +321,7 @@ mod tests {
         let indices = edited.iter().map(Component::relative_index);
         assert_eq!(indices.collect::<Vec<_>>(), [1.6, 1.6]);
         let grey: Material = "lambertian_reflection:reflectance=.5".parse().unwrap();
-        let plain = added(models::find("phong").unwrap(), &grey);
+        let plain = added(Catalogue::current().find("phong").unwrap(), &grey);
         assert_eq!(plain.to_string(), "phong");
         assert_eq!(told_of(&plain), "Phong starts with weight 0.25");
     }

@@ -7,6 +7,7 @@
 //! rounding included, is in [`ERRORS`], which a test measures. NaN is not passed on: models never give one.
 
 /// The largest relative error of each function, in units of the round-off 2^-24, over the range beside it.
+#[cfg(test)]
 pub const ERRORS: [(&str, f64, [f64; 2]); 11] = [
     ("sin_turn", 2.5, [0.0, 1.0]),
     ("cos_turn", 2.5, [0.0, 1.0]),

@@ -70,7 +70,6 @@ fn series<const N: usize>(x: f64, factors: [f64; N]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use num_traits::{Float, FloatConst};
     use xprec::Df64;
 
     use super::*;
@@ -84,9 +83,9 @@ mod tests {
         let mut worst = 0.0_f64;
         for i in 1..40_000 {
             let turns = f64::from(i) / 40_000.0 * 1.25 - 0.125;
-            let angle = Df64::TAU() * Df64::of(turns);
+            let angle = Df64::tau() * Df64::of(turns);
             let (sin, cos) = sin_cos_turn(turns);
-            for (found, exact) in [(sin, Float::sin(angle)), (cos, Float::cos(angle))] {
+            for (found, exact) in [(sin, Real::sin(angle)), (cos, Real::cos(angle))] {
                 // The reference is no exact 0 at a multiple of half a turn.
                 if found != 0.0 {
                     let error = (Df64::of(found) / exact - Df64::of(1.0)).as_f64().abs();

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use super::{LobeShare, Reflectance, lobe_shares};
 use crate::analysis::{Detail, IsWanted, Question, Subject, isotropy};
 use bxdf::Bxdf;
+use bxdf::internals::gauss_legendre;
 use bxdf::math::frame::direction_from_degrees;
-use bxdf::math::quadrature::gauss_legendre;
 
 /// Where the limit at grazing incidence is taken, in degrees: light in the horizon plane itself carries nothing.
 pub const GRAZING_DEG: f64 = 89.999;
@@ -201,7 +201,7 @@ mod tests {
     use super::*;
     use crate::analysis::{HeldLobe, Hold};
     use bxdf::Material;
-    use bxdf::optics::diffuse_fresnel::diffuse_transmittance;
+    use bxdf::internals::diffuse_transmittance;
     use glam::DVec3;
 
     const REQUEST: CurveRequest = CurveRequest {

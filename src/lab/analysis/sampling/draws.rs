@@ -21,9 +21,9 @@ const NUMBERS: u128 = 3;
 #[derive(Clone, Debug)]
 pub struct Draws<R: Real> {
     /// u0, u1, uc.
-    numbers: Columns<R::Stored, 3>,
+    numbers: Columns<R, 3>,
     /// The components of wi, the channels of f, pdf, and whether it is a delta.
-    drawn: Columns<R::Stored, 8>,
+    drawn: Columns<R, 8>,
 }
 
 /// A draw.
@@ -56,10 +56,10 @@ impl<R: Real> Draws<R> {
     #[must_use]
     pub fn new(bxdf: &dyn Bxdf<R>, wo: Vec3<R>, seed: u64, first: u64, count: usize) -> Self {
         let mut random = Random::new(seed).after(NUMBERS * u128::from(first));
-        let numbers = (0..count).map(|_| [(); 3].map(|()| random.number::<R>().store()));
+        let numbers = (0..count).map(|_| [(); 3].map(|()| random.number::<R>()));
         let numbers = Columns::from_rows(numbers);
-        let mut drawn = Columns::filled(R::zero().store(), count);
-        let wo = Columns::repeated([wo.x, wo.y, wo.z].map(R::store), count);
+        let mut drawn = Columns::filled(R::zero(), count);
+        let wo = Columns::repeated([wo.x, wo.y, wo.z], count);
         let ([u, v, uc], [x, y, z, r, g, b, pdf, delta]) = (numbers.slices(), drawn.slices_mut());
         let job = Job::Sample {
             wo: wo.slices(),
@@ -80,8 +80,8 @@ impl<R: Real> Draws<R> {
             .rows()
             .zip(self.drawn.rows())
             .map(|(numbers, drawn)| {
-                let [u, v, uc] = numbers.map(R::load);
-                let [x, y, z, r, g, b, pdf, delta] = drawn.map(R::load);
+                let [u, v, uc] = numbers;
+                let [x, y, z, r, g, b, pdf, delta] = drawn;
                 Draw {
                     u: [u, v],
                     uc,

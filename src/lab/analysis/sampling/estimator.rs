@@ -3,7 +3,8 @@
 use super::points::Point;
 use crate::analysis::HeldLobe;
 use crate::analysis::statistics::Random;
-use bxdf::math::{Vec3, warp};
+use bxdf::math::Vec3;
+use bxdf::math::warp;
 use bxdf::optics::spectrum::luminance;
 use bxdf::spec::Side;
 use glam::DVec3;

@@ -3,7 +3,8 @@
 use super::sequence::Numbers;
 use bxdf::Bxdf;
 use bxdf::batch::{Columns, Job, Path};
-use bxdf::math::{Vec3, warp};
+use bxdf::math::Vec3;
+use bxdf::math::warp;
 use bxdf::optics::spectrum::luminance;
 
 /// The surface whose reflectance is estimated, with the direction of view held.

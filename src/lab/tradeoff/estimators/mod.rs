@@ -15,7 +15,7 @@ use crate::tradeoff::report::{CostUnit, Point};
 use crate::tradeoff::study::{Stop, Study};
 use bxdf::Side;
 use bxdf::batch::Columns;
-use bxdf::math::quadrature::gauss_legendre;
+use bxdf::internals::gauss_legendre;
 use bxdf::optics::spectrum::luminance;
 
 use method::{Method, Surface};

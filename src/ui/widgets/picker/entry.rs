@@ -1,8 +1,8 @@
 //! What the picker lists: models and named materials.
 
 use crate::widgets::hits::Known;
+use bxdf::Catalogue;
 use bxdf::material::library::{self, Named};
-use bxdf::models::{self, MODELS};
 use bxdf::{Category, Material, ModelSpec};
 
 /// Which list is shown.
@@ -24,7 +24,10 @@ impl List {
     /// What stands in it, by category.
     pub(super) fn entries(self) -> Vec<Entry> {
         let mut all: Vec<Entry> = match self {
-            Self::Models => MODELS.into_iter().map(Entry::Model).collect(),
+            Self::Models => {
+                let models = Catalogue::current().models().iter();
+                models.copied().map(Entry::Model).collect()
+            }
             Self::Materials => library::all().iter().map(Entry::Named).collect(),
         };
         all.sort_by_key(|entry| entry.category());
@@ -52,7 +55,7 @@ impl Entry {
     pub(super) fn of(material: &Material) -> Option<Self> {
         if material.name.is_empty() {
             let model = material.components().first()?.model();
-            return models::find(model.id).ok().map(Self::Model);
+            return Catalogue::current().find(model.id).ok().map(Self::Model);
         }
         library::origin(material).map(Self::Named)
     }

@@ -1,6 +1,5 @@
 //! The errors of the polynomials, measured.
 
-use num_traits::{Float, FloatConst};
 use xprec::Df64;
 
 use super::*;
@@ -9,15 +8,15 @@ use crate::math::Real;
 /// The function of this name: the polynomial one, and the one of the reference precision.
 fn both(name: &str, x: f32) -> (f32, Df64) {
     let exact = Df64::of(x.into());
-    let angle = Df64::TAU() * exact;
+    let angle = Df64::tau() * exact;
     match name {
-        "sin_turn" => (sin_cos_turn(x).0, Float::sin(angle)),
-        "cos_turn" => (sin_cos_turn(x).1, Float::cos(angle)),
-        "exp" => (exp(x), Float::exp(exact)),
-        "exp_m1" => (exp_m1(x), Float::exp_m1(exact)),
-        "ln" => (ln(x), Float::ln(exact)),
-        "ln_1p" => (ln_1p(x), Float::ln_1p(exact)),
-        "atan" => (atan2(x, 1.0), Float::atan2(exact, Df64::of(1.0))),
+        "sin_turn" => (sin_cos_turn(x).0, Real::sin(angle)),
+        "cos_turn" => (sin_cos_turn(x).1, Real::cos(angle)),
+        "exp" => (exp(x), Real::exp(exact)),
+        "exp_m1" => (exp_m1(x), Real::exp_m1(exact)),
+        "ln" => (ln(x), Real::ln(exact)),
+        "ln_1p" => (ln_1p(x), Real::ln_1p(exact)),
+        "atan" => (atan2(x, 1.0), Real::atan2(exact, Df64::of(1.0))),
         "erf" => (erf(x), Real::erf(exact)),
         "ierfc" => (x + ierfc(x), exact + Real::ierfc(exact)),
         _ => (erfc(x), Real::erfc(exact)),
