@@ -3,7 +3,8 @@
 use super::batch::loops;
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
-use super::{Bxdf, Delta, Deltas, Sample, Side, sample_deltas};
+use super::sample::sample_deltas;
+use super::{Bxdf, Delta, Deltas, Sample, Side};
 
 /// Says where the deltas of such a surface are.
 pub trait DeltaLobes<R: Real>: Send + Sync {

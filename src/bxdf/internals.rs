@@ -7,7 +7,7 @@ pub use crate::math::quadrature::gauss_legendre;
 pub use crate::microfacet::{Normals, ggx, gtr1};
 pub use crate::optics::conductor::Conductor;
 pub use crate::optics::diffuse_fresnel::diffuse_transmittance;
-pub use crate::sample_deltas;
+pub use crate::sample::sample_deltas;
 
 use crate::math::{Real, Vec3};
 use crate::models::eon;

@@ -1,4 +1,43 @@
-//! Models of surface reflection: what a BxDF is, and every model. No files, no threads, no clock.
+//! Models of surface reflection and transmission, from Lambert to microfacets: each has its value, its density, its sampling
+//! and its Dirac deltas, in f32, f64 and double-double from one source.
+//!
+//! # In a minute
+//! ```
+//! use bxdf::math::frame::direction_from_degrees;
+//! use bxdf::{Material, Result, Vec3};
+//!
+//! # fn main() -> Result<()> {
+//! // A model with parameters, one of the named materials, or the path of a file.
+//! let brass = Material::open("brass")?;
+//! let surface = brass.build::<f64>();
+//!
+//! // Directions are unit vectors that point away from the surface, whose normal is (0, 0, 1).
+//! let viewer: Vec3<f64> = direction_from_degrees(30.0, 180.0).into();
+//! let light = Vec3::new(0.6, 0.0, 0.8);
+//!
+//! // The value in 1/sr, without the cosine, and the density with which samples would find the light.
+//! let (f, density) = surface.f_pdf(viewer, light);
+//! assert!(f.to_f64()[0] > 0.0 && density > 0.0);
+//!
+//! // A direction of the light, drawn by three numbers in [0, 1), and what a path's throughput is multiplied by.
+//! if let Some(sample) = surface.sample_f(viewer, 0.5, [0.25, 0.75]) {
+//!     println!("{:?}: {:?}", sample.wi, sample.weight().to_f64());
+//! }
+//!
+//! // What leaves in a single direction is no value: deltas are listed.
+//! let mirror = Material::open("mirror")?.build::<f64>();
+//! assert_eq!(mirror.f(viewer, light).to_f64(), [0.0; 3]);
+//! assert_eq!(mirror.deltas(viewer).into_iter().flatten().count(), 1);
+//! # Ok(())
+//! # }
+//! ```
+//! [`Material`] is what most begin with: a weighted sum of models at their parameters, read from text. [`Bxdf`] is what it
+//! builds. [`material::library`] has the named materials, [`Catalogue`] the models, to which you may add yours: it needs
+//! three functions of [`Bxdf`] and a [`ModelSpec`] (`examples/own_model.rs` beside the labs). Whole arrays of directions are
+//! computed several times as fast by [`Bxdf::batch`] (`examples/histogram.rs`). Each model's file says where it comes from,
+//! where it departs from its source, and how far it is valid.
+//!
+//! There are no threads, no clock, and no files but in [`Material::open`], which the feature `files` brings.
 //!
 //! # Conventions
 //! * **Shading frame**: orthonormal (s, t, n), local x = s, y = t, z = n. theta is measured from n, phi from s in the
@@ -33,6 +72,7 @@ pub mod models;
 pub mod optics;
 pub mod param;
 mod rotated;
+mod sample;
 pub mod spec;
 pub mod table;
 
@@ -43,6 +83,7 @@ pub use math::{Real, Vec3};
 pub use optics::Spectrum;
 pub use param::{ParamSet, ParamSpec, Value};
 pub use rotated::Rotated;
+pub use sample::{Delta, Deltas, Sample};
 pub use spec::{
     Builders, Category, Declaration, Law, Lobe, ModelSpec, Precision, Properties, Side, StandIn,
 };
@@ -55,6 +96,38 @@ struct Readme;
 use batch::{Job, Path};
 
 /// A scattering model at one set of parameters: a BRDF, a BTDF or both, in precision `R`.
+///
+/// A model of one's own needs [`Self::f`], [`Self::pdf`] and [`Self::sample_f`], and [`Self::deltas`] where it has some; the
+/// rest follows. [`Self::lobes`] names what integrals should look for.
+///
+/// ```
+/// use bxdf::{Bxdf, Category, Lobe, Real, Sample, Spectrum, Vec3, both_above, math::warp, sample_reflection};
+///
+/// /// Half of the light comes back, evenly.
+/// struct Grey;
+///
+/// impl<R: Real> Bxdf<R> for Grey {
+///     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+///         let is_reflection = both_above(wo, wi).is_some();
+///         Spectrum::grey(if is_reflection { R::of(0.5) * R::frac_1_pi() } else { R::zero() })
+///     }
+///
+///     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+///         both_above(wo, wi).map_or(R::zero(), |(_, wi)| warp::cosine_hemisphere_pdf(wi.z))
+///     }
+///
+///     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
+///         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
+///     }
+///
+///     fn lobes(&self) -> &[Lobe] {
+///         const { &[Lobe::reflection(Category::Diffuse)] }
+///     }
+/// }
+///
+/// let sample = Grey.sample_f(Vec3::new(0.0, 0.0, 1.0), 0.0, [0.3_f32, 0.7]).unwrap();
+/// assert!((sample.weight().0[0] - 0.5).abs() < 1e-6);
+/// ```
 ///
 /// All three methods are total: for unit directions they return finite, non-negative values, saturated where the true
 /// value overflows the type. A direction in the horizon plane itself (z = 0) carries nothing: 0, and no sample.
@@ -148,89 +221,6 @@ pub struct Microfacet<R> {
     pub fresnel: Spectrum<R>,
 }
 
-/// What [`Bxdf::sample_f`] returns.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample<R> {
-    /// The direction sampled, a unit vector.
-    pub wi: Vec3<R>,
-    /// f(wo, wi) in 1/sr; for a delta its weight over |cos(theta_i)|.
-    pub f: Spectrum<R>,
-    /// The density of `wi` in 1/sr; for a delta the probability of choosing it.
-    pub pdf: R,
-    /// Whether `wi` comes from a Dirac delta.
-    pub is_delta: bool,
-}
-
-impl<R: Real> Sample<R> {
-    /// f |cos(theta_i)| / pdf: what a path's throughput is multiplied by.
-    #[inline(always)]
-    pub fn weight(&self) -> Spectrum<R> {
-        self.f * (self.wi.z.abs() / self.pdf)
-    }
-
-    /// The sample, unless its density has underflown. Where `wo` grazes, a rounded direction may lie so far out in the
-    /// tail of the density, or beyond its edge: such a sample has no weight and is lost.
-    #[must_use]
-    #[inline(always)]
-    pub fn with_density(self) -> Option<Self> {
-        if self.pdf >= R::min_positive_value() {
-            Some(self)
-        } else {
-            None
-        }
-    }
-}
-
-/// A Dirac delta lobe of a direction `w`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Delta<R> {
-    /// Where it points: both where light arriving along `w` leaves, and whence light leaving along `w` came.
-    pub direction: Vec3<R>,
-    /// The share of the flux arriving along `w` that leaves along `direction`.
-    pub flux: Spectrum<R>,
-    /// Radiance along `w` over radiance along `direction`: the flux share over e^2, e being the index on
-    /// `direction`'s side over that on `w`'s side; f |cos(theta_i)| of the delta.
-    pub weight: Spectrum<R>,
-    /// The probability with which [`Bxdf::sample_f`] chooses it.
-    pub probability: R,
-    /// To which side it goes.
-    pub side: Side,
-}
-
-/// The deltas of a direction; models have at most one to either side.
-pub type Deltas<R> = [Option<Delta<R>>; 2];
-
-impl<R: Real> Delta<R> {
-    /// The sample that stands for this delta.
-    #[inline(always)]
-    pub fn sample(&self) -> Sample<R> {
-        let cos = self.direction.z.abs().at_least(R::min_positive_value());
-        Sample {
-            wi: self.direction,
-            f: self.weight.map(|weight| (weight / cos).saturated()),
-            pdf: self.probability,
-            is_delta: true,
-        }
-    }
-}
-
-/// The sample of one of `deltas`, chosen by `uc` with their probabilities. `None` where they leave a rest and `uc`
-/// falls into it.
-#[inline(always)]
-pub fn sample_deltas<R: Real>(deltas: Deltas<R>, uc: R) -> Option<Sample<R>> {
-    // Written out: an inner loop would keep a batch's from being vectorised.
-    let [first, second] = deltas;
-    let rest = match first {
-        Some(delta) if uc < delta.probability => return Some(delta.sample()),
-        Some(delta) => uc - delta.probability,
-        None => uc,
-    };
-    match second {
-        Some(delta) if rest < delta.probability => Some(delta.sample()),
-        _ => None,
-    }
-}
-
 /// `wo` and `wi` above the surface, for a two-sided reflection model: mirrored in the surface where both are below.
 ///
 /// `None` where they are on different sides, or one of them lies in the horizon plane.
@@ -307,32 +297,5 @@ mod tests {
         assert_eq!(both_above(up, Vec3::new(1.0, 0.0, 0.0)), None);
         // The product of these cosines underflows; the signs do not.
         assert!(both_above(tiny, tiny).is_some() && are_across(tiny, -tiny));
-    }
-
-    #[test]
-    fn deltas_are_chosen_by_their_probability() {
-        let delta = |z: f64, probability: f64| {
-            let spectrum = Spectrum::grey(probability);
-            let side = if z > 0.0 {
-                Side::Reflection
-            } else {
-                Side::Transmission
-            };
-            Some(Delta {
-                direction: Vec3::new(0.0, 0.0, z),
-                flux: spectrum,
-                weight: spectrum,
-                probability,
-                side,
-            })
-        };
-        let deltas = [delta(1.0, 0.25), delta(-1.0, 0.5)];
-        assert!(
-            sample_deltas(deltas, 0.2).is_some_and(|s| s.wi.z > 0.0 && s.pdf == 0.25 && s.is_delta)
-        );
-        assert!(
-            sample_deltas(deltas, 0.3).is_some_and(|s| s.wi.z < 0.0 && s.weight().0 == [1.0; 3])
-        );
-        assert!(sample_deltas(deltas, 0.8).is_none());
     }
 }

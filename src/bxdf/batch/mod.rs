@@ -26,7 +26,28 @@ pub type Directions<'a, R> = [&'a [R]; 3];
 /// Three slices to be written: the components of directions, or the channels of spectra.
 pub type TripleMut<'a, R> = [&'a mut [R]; 3];
 
-/// What to compute for each element of a batch. All slices of a job are of one length; the shortest decides.
+/// What to compute for each element of a batch.
+///
+/// ```
+/// use bxdf::Material;
+/// use bxdf::batch::{Columns, Job, Path};
+///
+/// # fn main() -> bxdf::Result<()> {
+/// let gold = Material::open("gold")?.build::<f32>();
+/// let wo = Columns::repeated([0.0, 0.0, 1.0], 1000);
+/// let wi = Columns::from_rows((0..1000).map(|i| {
+///     let (sin, cos) = (i as f32 * 1e-3).sin_cos();
+///     [sin, 0.0, cos]
+/// }));
+/// let mut f = Columns::filled(0.0, 1000);
+/// gold.batch(Path::Dispatched, Job::F { wo: wo.slices(), wi: wi.slices(), f: f.slices_mut() });
+/// let [red, ..] = f.slices();
+/// assert!(red[0] > red[999]);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// All slices of a job are of one length; the shortest decides.
 #[derive(Debug)]
 pub enum Job<'a, R> {
     /// The value f.

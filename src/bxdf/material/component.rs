@@ -80,6 +80,19 @@ impl Component {
 
     /// Sets a parameter.
     ///
+    /// ```
+    /// use bxdf::{Component, Value};
+    ///
+    /// # fn main() -> bxdf::Result<()> {
+    /// let mut metal: Component = "rough_conductor:alpha=0.2".parse()?;
+    /// metal.set("alpha_y", Value::Number(0.4))?;
+    /// assert_eq!(metal.params().number("alpha_x"), 0.2);
+    /// let line = metal.set("alpha_y", Value::Number(7.0)).unwrap_err().to_string();
+    /// assert_eq!(line, "rough_conductor: alpha_y = 7: allowed is 0.0001 to 1");
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// As [`ParamSet::set`], and where the model refuses the combination; the component is then unchanged.
     pub fn set(&mut self, name: &str, value: Value) -> Result<()> {

@@ -38,6 +38,12 @@ pub struct Named {
 }
 
 /// Every material of the library, by category, then by name.
+///
+/// ```
+/// for named in bxdf::material::library::all() {
+///     println!("{:24} {}", named.id, named.material.note);
+/// }
+/// ```
 #[must_use]
 pub fn all() -> &'static [Named] {
     &ALL

@@ -25,6 +25,19 @@ pub const MAX_COMPONENTS: usize = 8;
 /// A weighted sum of models of the catalogue, at least one, with what is said of it.
 ///
 /// Its text form is that of its only component; as TOML it can say everything (see [`mod@file`]).
+///
+/// ```
+/// use bxdf::{Category, Material};
+///
+/// # fn main() -> bxdf::Result<()> {
+/// let metal: Material = "rough_conductor:alpha=0.2".parse()?;
+/// assert_eq!(metal.category(), Category::GlossySpecular);
+/// assert!(metal.is_isotropic());
+/// let line = "rough_conductor:alpa=0.2".parse::<Material>().unwrap_err().to_string();
+/// assert!(line.contains("nearest: alpha"), "{line}");
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(into = "Form", try_from = "Form")]
 pub struct Material {
@@ -118,7 +131,20 @@ impl Material {
         }
     }
 
-    /// The material as a scattering function in precision `R`.
+    /// The material as a scattering function in precision `R`: `f32`, `f64` or xprec's `Df64`, the reference.
+    ///
+    /// ```
+    /// use bxdf::{Material, Vec3};
+    ///
+    /// # fn main() -> bxdf::Result<()> {
+    /// let chalk = Material::open("chalk")?;
+    /// let (fast, exact) = (chalk.build::<f32>(), chalk.build::<f64>());
+    /// let single = fast.f(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.6, 0.0, 0.8)).to_f64();
+    /// let double = exact.f(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.6, 0.0, 0.8)).to_f64();
+    /// assert!((single[0] / double[0] - 1.0).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn build<R: Precision>(&self) -> Box<dyn Bxdf<R>> {
         match self.only() {

@@ -18,6 +18,13 @@ pub fn cos_sin_deg(angle_deg: f64) -> (f64, f64) {
 }
 
 /// The unit direction at polar angle `theta_deg` from n and azimuth `phi_deg` from s, both in degrees.
+///
+/// ```
+/// use bxdf::{Vec3, math::frame::direction_from_degrees};
+///
+/// let light: Vec3<f32> = direction_from_degrees(90.0, 180.0).into();
+/// assert_eq!(light, Vec3::new(-1.0, 0.0, 0.0));
+/// ```
 #[must_use]
 pub fn direction_from_degrees(theta_deg: f64, phi_deg: f64) -> DVec3 {
     let (cos_theta, sin_theta) = cos_sin_deg(theta_deg);

@@ -125,6 +125,13 @@ impl ParamSpec {
     }
 
     /// A number, 0..1 unless [`Self::hard`] says otherwise.
+    ///
+    /// ```
+    /// use bxdf::{ParamSpec, Value};
+    ///
+    /// const ETA: ParamSpec = ParamSpec::number("eta", 1.5, "Index of refraction").hard(1.0, 3.0);
+    /// assert!(ETA.allows(Value::Number(2.42)) && !ETA.allows(Value::Number(0.9)));
+    /// ```
     #[must_use]
     pub const fn number(name: &'static str, default: f64, meaning: &'static str) -> Self {
         Self::new(name, Kind::Number, Value::Number(default), meaning)
