@@ -218,9 +218,14 @@ impl Properties {
         stability_ratio: 1.0,
     };
 
-    /// Isotropic where `alpha_x` = `alpha_y`, else as [`Self::PLAIN`].
+    /// Isotropic where the widths along s and t are equal, else as [`Self::PLAIN`].
     pub const TWO_WIDTHS: Self = Self {
-        is_isotropic: |params| params.number("alpha_x") == params.number("alpha_y"),
+        is_isotropic: |params| {
+            let widths = params
+                .widths()
+                .map(|names| names.map(|name| params.number(name)));
+            widths.is_none_or(|[x, y]| x == y)
+        },
         ..Self::PLAIN
     };
 }

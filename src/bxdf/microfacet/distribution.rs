@@ -5,7 +5,7 @@ use super::beckmann_rational::BeckmannRational;
 use super::ggx::Ggx;
 use super::{Masked, Masking, Pair};
 use crate::math::{Real, Vec3};
-use crate::param::{ParamSet, ParamSpec, Value};
+use crate::param::{ParamSet, ParamSpec, Role, Value};
 use crate::spec::StandIn;
 
 /// A distribution of microfacet normals with its masking, chosen by the parameter `distribution`.
@@ -25,7 +25,8 @@ pub const DISTRIBUTION: ParamSpec = ParamSpec::choice(
     &["ggx", "beckmann", "beckmann_rational"],
     "How the microfacet normals are spread: GGX has a sharp peak and a long tail, Beckmann is a Gaussian of slopes that \
      ends soon; beckmann_rational is the same with a cheap fit of the masking, off by up to .31 %",
-);
+)
+.role(Role::Distribution);
 
 /// What may replace Beckmann's masking.
 pub const RATIONAL_MASKING: StandIn = StandIn {

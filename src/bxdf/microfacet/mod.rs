@@ -18,7 +18,7 @@ use crate::both_above;
 use crate::math::{Real, Vec3};
 use crate::optics::fresnel::{Dielectric, RelativeIndex};
 use crate::optics::interface::Interface;
-use crate::param::{ParamSet, ParamSpec, Scale, Value};
+use crate::param::{ParamSet, ParamSpec, Role, Scale, Value};
 use crate::spec::StandIn;
 
 /// How masking (towards the viewer) and shadowing (towards the light) go together.
@@ -106,13 +106,15 @@ pub const ALPHA_X: ParamSpec = alpha(
     "alpha_x",
     0.3,
     "Width of the distribution of microfacet normals along s",
-);
+)
+.role(Role::WidthS);
 /// See [`ALPHA_X`]; along t.
 pub const ALPHA_Y: ParamSpec = alpha(
     "alpha_y",
     0.3,
     "Width of the distribution of microfacet normals along t",
-);
+)
+.role(Role::WidthT);
 
 /// What may replace two different widths, `alpha_x` and `alpha_y`: one that leaves the peak as high.
 pub const ONE_WIDTH: StandIn = StandIn {
@@ -128,6 +130,7 @@ pub const ONE_WIDTH: StandIn = StandIn {
 #[must_use]
 pub const fn alpha(name: &'static str, default: f64, meaning: &'static str) -> ParamSpec {
     ParamSpec::number(name, default, meaning)
+        .role(Role::Width)
         .hard(1e-4, 1.0)
         .soft(0.01, 1.0)
         .scale(Scale::Logarithmic)

@@ -33,7 +33,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             "roughness",
             0.5,
             "Roughness as in the paper: 0 halves the reflection at grazing angles, 1 multiplies it by up to 2.5",
-        ),
+        )
+        .role(Role::Width),
     ],
     properties: Properties {
         declarations: &[Declaration {

@@ -43,6 +43,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             0.5,
             "How much the fibres lean from upright: small values leave a thin rim, 1 a soft glow all over",
         )
+        .role(Role::Width)
         .hard(0.01, 1.0)
         .scale(Scale::Logarithmic),
     ],

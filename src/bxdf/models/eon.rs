@@ -35,7 +35,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             "roughness",
             0.5,
             "Roughness of the surface; 0 is Lambertian, 1 the roughest",
-        ),
+        )
+        .role(Role::Width),
     ],
     properties: Properties::PLAIN,
     validate: ModelSpec::any,

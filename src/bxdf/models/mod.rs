@@ -26,7 +26,7 @@ mod ward;
 
 use super::batch::loops;
 use super::math::{Real, Vec3};
-use super::param::{ParamSpec, Value};
+use super::param::{ParamSpec, Role, Value};
 use super::spec::{Category, Declaration, Law, Lobe, ModelSpec, Properties, Side, StandIn};
 use super::{Bxdf, Sample};
 use crate::builders;
@@ -85,6 +85,7 @@ const DIELECTRIC_ETA: ParamSpec = ParamSpec::number(
     1.5,
     "Index of refraction below the surface over the one above: 1.33 water, 1.5 glass, 2.42 diamond",
 )
+.role(Role::Index)
 .hard(DIELECTRIC_ETA_RANGE[0], DIELECTRIC_ETA_RANGE[1])
 .soft(1.0, 3.0);
 
@@ -98,6 +99,7 @@ const CONDUCTOR_ETA: ParamSpec = ParamSpec::rgb(
     [0.0, 0.5032, 1.463],
     "Index of refraction n of the metal, per channel",
 )
+.role(Role::Index)
 .hard(0.0, 1e4)
 .soft(0.0, 5.0);
 
@@ -107,6 +109,7 @@ const CONDUCTOR_K: ParamSpec = ParamSpec::rgb(
     [3.208, 2.268, 1.774],
     "Absorption index k of the metal, per channel; larger means a more perfect mirror",
 )
+.role(Role::Absorption)
 .hard(0.0, 1e10)
 .soft(0.0, 10.0);
 

@@ -67,11 +67,13 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         coat_alpha(
             "alpha_x",
             "Width of the coat's microfacet normals along s; 0 with alpha_y is a smooth coat",
-        ),
+        )
+        .role(Role::WidthS),
         coat_alpha(
             "alpha_y",
             "Width of the coat's microfacet normals along t; 0 with alpha_x is a smooth coat",
-        ),
+        )
+        .role(Role::WidthT),
         DISTRIBUTION,
         Masking::PARAM,
         ParamSpec::flag(

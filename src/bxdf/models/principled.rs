@@ -62,7 +62,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             "roughness",
             0.5,
             "Roughness; the width of the highlight is its square",
-        ),
+        )
+        .role(Role::Width),
         ParamSpec::number(
             "specular_tint",
             0.0,

@@ -51,7 +51,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             &["conductor", "schlick", "one", "lazanyi"],
             "Reflectance of a facet: exact for a metal of index eta and k, Schlick's approximation from f0, 1, or \
              Schlick's for eta and k with a term that makes it exact at 82 degrees (Lazanyi)",
-        ),
+        )
+        .role(Role::Fresnel),
         CONDUCTOR_ETA.relevant_when("fresnel", OF_A_METAL),
         CONDUCTOR_K.relevant_when("fresnel", OF_A_METAL),
         ParamSpec::rgb("f0", [0.9; 3], "Reflectance of a facet at normal incidence")

@@ -28,7 +28,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             "fresnel",
             &["one", "dielectric", "conductor"],
             "How much is reflected: all of it, as a dielectric of index eta, or as a metal of index eta and k",
-        ),
+        )
+        .role(Role::Fresnel),
         ParamSpec::rgb(
             "reflectance",
             [1.0; 3],
@@ -39,10 +40,12 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             [1.5; 3],
             "Index of refraction below the surface over the one above",
         )
+        .role(Role::Index)
         .hard(0.0, 1e4)
         .soft(0.0, 5.0)
         .relevant_when("fresnel", &["dielectric", "conductor"]),
         ParamSpec::rgb("k", [0.0; 3], "Absorption index of the metal")
+            .role(Role::Absorption)
             .hard(0.0, 1e10)
             .soft(0.0, 10.0)
             .relevant_when("fresnel", &["conductor"]),

@@ -35,6 +35,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         1.5,
         "Index of refraction of the slab over that of the medium around it: 1.33 a soap film, 1.5 glass",
     )
+    .role(Role::Index)
     .hard(DIELECTRIC_ETA_RANGE[0], DIELECTRIC_ETA_RANGE[1])
     .soft(1.0, 3.0)],
     properties: Properties::PLAIN,

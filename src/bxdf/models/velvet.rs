@@ -40,6 +40,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
             0.3,
             "Spread of the fibres about upright: how far the bright rim reaches from the horizon",
         )
+        .role(Role::Width)
         .hard(1e-4, 1.0)
         .soft(0.01, 1.0)
         .scale(Scale::Logarithmic),

@@ -4,7 +4,7 @@ use super::diffuse_fresnel;
 use super::facet_fresnel::cosine_weighted_nodes;
 use super::fresnel::{self, Dielectric, RelativeIndex};
 use crate::math::{Real, Vec3};
-use crate::param::{ParamSet, ParamSpec, Value};
+use crate::param::{ParamSet, ParamSpec, Role, Value};
 use crate::spec::StandIn;
 
 /// The parameter that chooses an [`AnyInterface`].
@@ -13,7 +13,8 @@ pub const INTERFACE: ParamSpec = ParamSpec::choice(
     &["exact", "schlick", "lazanyi"],
     "Reflectance of a facet: exact, Schlick's power of the cosine, or that power with a term that makes it exact at 82 \
      degrees (Lazanyi)",
-);
+)
+.role(Role::Fresnel);
 
 /// What may replace the exact choice of [`INTERFACE`].
 pub const SCHLICK: StandIn = StandIn {

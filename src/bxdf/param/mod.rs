@@ -55,6 +55,38 @@ impl Scale {
     }
 }
 
+/// What a parameter means, whatever its name: by this the labs find extremes, the window links what belongs together, and
+/// maps find their axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Something of the model's own.
+    Plain,
+    /// The width of a lobe along s; a model that has it has one along t too.
+    WidthS,
+    /// The width of the same lobe along t.
+    WidthT,
+    /// The width of a lobe, the same all around.
+    Width,
+    /// The index of refraction below the surface over the one above, or its real part.
+    Index,
+    /// Its imaginary part.
+    Absorption,
+    /// A share of light, per channel.
+    Colour,
+    /// The choice of what a facet reflects.
+    Fresnel,
+    /// The choice of how microfacet normals are spread.
+    Distribution,
+}
+
+impl Role {
+    /// Whether it is the width of a lobe.
+    #[must_use]
+    pub const fn is_width(self) -> bool {
+        matches!(self, Self::WidthS | Self::WidthT | Self::Width)
+    }
+}
+
 /// The value of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
@@ -90,6 +122,8 @@ pub struct ParamSpec {
     pub name: &'static str,
     /// The kind of value.
     pub kind: Kind,
+    /// What it means.
+    pub role: Role,
     /// The value at first.
     pub default: Value,
     /// Smallest and largest value accepted (numbers and channels).
@@ -113,6 +147,7 @@ impl ParamSpec {
         Self {
             name,
             kind,
+            role: Role::Plain,
             default,
             hard: [0.0, 1.0],
             soft: [0.0, 1.0],
@@ -140,7 +175,7 @@ impl ParamSpec {
     /// Three linear channels, each 0..1 unless [`Self::hard`] says otherwise.
     #[must_use]
     pub const fn rgb(name: &'static str, default: [f64; 3], meaning: &'static str) -> Self {
-        Self::new(name, Kind::Rgb, Value::Rgb(default), meaning)
+        Self::new(name, Kind::Rgb, Value::Rgb(default), meaning).role(Role::Colour)
     }
 
     /// One word of `choices`, the first by default.
@@ -205,16 +240,23 @@ impl ParamSpec {
         self
     }
 
+    /// The spec of a parameter that means this.
+    #[must_use]
+    pub const fn role(mut self, role: Role) -> Self {
+        self.role = role;
+        self
+    }
+
     /// Whether the parameter is an index of refraction, or the real part of one.
     #[must_use]
     pub fn is_index(&self) -> bool {
-        self.name == "eta"
+        self.role == Role::Index
     }
 
-    /// Whether the parameter is a reflectance-like colour, all channels within 0..1.
+    /// Whether the parameter is a share of light per channel.
     #[must_use]
     pub fn is_colour(&self) -> bool {
-        self.kind == Kind::Rgb && self.hard == [0.0, 1.0]
+        self.role == Role::Colour
     }
 
     /// The name as the screen shows it: `alpha_x` is "Alpha x".

@@ -3,18 +3,12 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::{ParamSpec, Value};
+use super::{ParamSpec, Role, Value};
 use crate::error::{Error, Result};
 use crate::table::Table;
 
 /// The name under which a table stands in texts.
 pub const DATA: &str = "data";
-
-/// The name that sets both [`WIDTHS`] at once, in models that have them.
-const BOTH_ALPHAS: &str = "alpha";
-
-/// The widths along s and t.
-const WIDTHS: [&str; 2] = ["alpha_x", "alpha_y"];
 
 /// The values of a model's parameters: one per spec, in the order of the specs, each allowed by its spec.
 #[derive(Clone, Debug)]
@@ -106,16 +100,28 @@ impl ParamSet {
         Ok(())
     }
 
-    /// The parameters that [`Self::set_text`] sets under `name`: that one, or both widths under `alpha`.
+    /// The first parameter that means this, with its value.
+    #[must_use]
+    pub fn of_role(&self, role: Role) -> Option<(&'static ParamSpec, Value)> {
+        self.iter().find(|(spec, _)| spec.role == role)
+    }
+
+    /// The names of the widths along s and t, where the model has them.
+    #[must_use]
+    pub fn widths(&self) -> Option<[&'static str; 2]> {
+        let name = |role| self.of_role(role).map(|(spec, _)| spec.name);
+        Some([name(Role::WidthS)?, name(Role::WidthT)?])
+    }
+
+    /// The parameters that [`Self::set_text`] sets under `name`: that one, or both widths under what their names begin with,
+    /// `alpha` for `alpha_x` and `alpha_y`.
     #[must_use]
     pub fn targets<'a>(&self, name: &'a str) -> Vec<&'a str> {
-        let stands_for_both = name == BOTH_ALPHAS
-            && self.index_of(name).is_none()
-            && WIDTHS.iter().all(|width| self.index_of(width).is_some());
-        if stands_for_both {
-            WIDTHS.to_vec()
-        } else {
-            vec![name]
+        match self.widths() {
+            Some(widths) if self.index_of(name).is_none() && name == stem(widths) => {
+                widths.to_vec()
+            }
+            _ => vec![name],
         }
     }
 
@@ -265,6 +271,19 @@ fn refused(model: &str, spec: &ParamSpec, text: &str) -> Error {
         value: text.to_owned(),
         allowed: spec.allowed(),
     }
+}
+
+/// What two names begin with alike, less an underscore at its end.
+fn stem([first, second]: [&'static str; 2]) -> &'static str {
+    let same = first
+        .bytes()
+        .zip(second.bytes())
+        .take_while(|(a, b)| a == b);
+    let length = same.count();
+    first
+        .get(..length)
+        .unwrap_or_default()
+        .trim_end_matches('_')
 }
 
 impl fmt::Display for ParamSet {

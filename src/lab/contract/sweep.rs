@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use bxdf::ModelSpec;
 use bxdf::math::frame::direction_from_degrees;
-use bxdf::param::{Kind, ParamSet, ParamSpec, Value};
+use bxdf::param::{Kind, ParamSet, ParamSpec, Role, Value};
 
 /// Widths along s and t: 0, for models that take it for smooth, both ends of the range, the end of the slider, two blades.
 const ALPHA_PAIRS: [[f64; 2]; 6] = [
@@ -116,7 +116,7 @@ impl<'a> Sets<'a> {
 
 /// The ends of the ranges of a number or an index; none for colours (which are 0 and 1 in the bases) and for widths.
 pub(crate) fn ends(spec: &ParamSpec) -> Vec<Value> {
-    if spec.is_colour() || spec.name.starts_with("alpha_") {
+    if spec.is_colour() || matches!(spec.role, Role::WidthS | Role::WidthT) {
         return Vec::new();
     }
     let values = [spec.hard, spec.soft].into_iter().flatten();
@@ -128,11 +128,9 @@ pub(crate) fn ends(spec: &ParamSpec) -> Vec<Value> {
 }
 
 /// `set` with these widths along s and t; `None` where it has none.
-pub(crate) fn with_widths(set: &ParamSet, alpha_x: f64, alpha_y: f64) -> Option<ParamSet> {
-    set.with(&[
-        ("alpha_x", Value::Number(alpha_x)),
-        ("alpha_y", Value::Number(alpha_y)),
-    ])
+pub(crate) fn with_widths(set: &ParamSet, along_s: f64, along_t: f64) -> Option<ParamSet> {
+    let [s, t] = set.widths()?;
+    set.with(&[(s, Value::Number(along_s)), (t, Value::Number(along_t))])
 }
 
 /// `set` with every colour at `level`.

@@ -7,7 +7,7 @@ use include_dir::{Dir, include_dir};
 use super::channels;
 use super::table::Table;
 use bxdf::Component;
-use bxdf::param::Value;
+use bxdf::param::{Role, Value};
 
 /// The files. Their folder is the one list of them.
 static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/ior");
@@ -66,18 +66,20 @@ impl Constants {
         self.channels
     }
 
-    /// Those whose [`Self::channels`] are `eta` and `k` of `component`; `None` where it has no such parameters, or no table
+    /// Those whose [`Self::channels`] are the index and the absorption of `component`; `None` where it has no such parameters, or no table
     /// has these values.
     #[must_use]
     pub fn of(component: &Component) -> Option<&'static Self> {
         let params = component.params();
-        let value = |name: &str| {
-            let mut named = params.iter();
-            named
-                .find(|(spec, _)| spec.name == name && params.is_relevant(spec))
+        let value = |role| {
+            let found = params.of_role(role);
+            found
+                .filter(|(spec, _)| params.is_relevant(spec))
                 .map(|(_, value)| value)
         };
-        let (Some(Value::Rgb(eta)), Some(Value::Rgb(k))) = (value("eta"), value("k")) else {
+        let (Some(Value::Rgb(eta)), Some(Value::Rgb(k))) =
+            (value(Role::Index), value(Role::Absorption))
+        else {
             return None;
         };
         ALL.iter().find(|constants| constants.gives(eta, k))

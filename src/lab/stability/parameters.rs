@@ -6,7 +6,7 @@ use crate::contract::sweep::{Sets, bases, ends, with_colours, with_widths};
 use crate::subject::rounded_to_single;
 use bxdf::ModelSpec;
 use bxdf::internals::beyond_range;
-use bxdf::param::{Kind, ParamSet, ParamSpec, Scale, Value};
+use bxdf::param::{Kind, ParamSet, ParamSpec, Role, Scale, Value};
 
 /// Distances of an index from 1.
 const FROM_ONE: [f64; 7] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
@@ -67,15 +67,9 @@ impl Found<'_> {
     }
 }
 
-/// Whether the parameter is the width of a lobe.
-fn is_width(spec: &ParamSpec) -> bool {
-    spec.kind == Kind::Number
-        && (spec.name.contains("alpha") || spec.name.contains("roughness") || spec.name == "m")
-}
-
 /// The widths along s and t.
 fn widths(base: &ParamSet, found: &mut Found<'_>) {
-    let Some((spec, _)) = base.iter().find(|(spec, _)| spec.name == "alpha_x") else {
+    let Some((spec, _)) = base.of_role(Role::WidthS) else {
         return;
     };
     let [min, max] = spec.hard;
@@ -96,7 +90,7 @@ fn number(base: &ParamSet, spec: &ParamSpec, found: &mut Found<'_>) {
         _ => Value::Number(x),
     };
     let mut add = |case, x| found.add(case, base.with(&[(spec.name, value(x))]));
-    if spec.name.starts_with("alpha_") || spec.is_colour() {
+    if spec.is_colour() || matches!(spec.role, Role::WidthS | Role::WidthT) {
         // Widths along s and t go together, and colours too.
     } else if spec.kind == Kind::Rgb && !is_plain_but_for_fresnel(base) {
         // Of a metal's index only the reflectance of its facets knows.
@@ -109,11 +103,11 @@ fn number(base: &ParamSet, spec: &ParamSpec, found: &mut Found<'_>) {
         for end in [spec.hard, [1e-2, 1e3]].into_iter().flatten() {
             add(Case::LargeIndex, end);
         }
-    } else if spec.name == "k" {
+    } else if spec.role == Role::Absorption {
         for k in ABSORPTIONS {
             add(Case::Absorbing, k);
         }
-    } else if is_width(spec) {
+    } else if spec.role.is_width() {
         let [min, max] = spec.hard;
         for narrow in [min, 1e-4, 1e-3, 1e-2] {
             add(Case::Narrow, narrow);
@@ -129,7 +123,7 @@ fn number(base: &ParamSet, spec: &ParamSpec, found: &mut Found<'_>) {
 /// Whether every word but that of the Fresnel term is the default.
 fn is_plain_but_for_fresnel(base: &ParamSet) -> bool {
     let mut choices = base.iter().filter(|(spec, _)| spec.kind == Kind::Choice);
-    choices.all(|(spec, value)| spec.name == "fresnel" || value == spec.default)
+    choices.all(|(spec, value)| spec.role == Role::Fresnel || value == spec.default)
 }
 
 /// Every number at the same end of its range, but for indices, which have extremes of their own.
@@ -151,7 +145,7 @@ fn core_widths(model: &ModelSpec) -> Vec<ParamSet> {
     let words = model
         .parameters
         .iter()
-        .filter(|spec| spec.name == "distribution")
+        .filter(|spec| spec.role == Role::Distribution)
         .flat_map(|spec| {
             spec.choices
                 .iter()
@@ -165,12 +159,13 @@ fn core_widths(model: &ModelSpec) -> Vec<ParamSet> {
         CORE_WIDTHS.map(|widths| {
             // Numbers of f32, so that every precision has the same.
             let [x, y] = widths.map(|width| f64::from(width as f32));
-            beyond_range(&beyond_range(start, "alpha_x", x)?, "alpha_y", y)
+            let [s, t] = start.widths()?;
+            beyond_range(&beyond_range(start, s, x)?, t, y)
         })
     };
     let mut sets: Vec<ParamSet> = starts.iter().flat_map(with_core_widths).flatten().collect();
-    let others = model.parameters.iter().filter(|spec| is_width(spec));
-    let others = others.filter(|spec| !spec.name.starts_with("alpha_"));
+    let others = model.parameters.iter();
+    let others = others.filter(|spec| spec.role == Role::Width);
     sets.extend(
         others.filter_map(|spec| beyond_range(&defaults, spec.name, f64::from(CORE_WIDTH))),
     );

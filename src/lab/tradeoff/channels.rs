@@ -8,7 +8,7 @@ use super::report::{CostUnit, Point};
 use super::study::{Stop, Study};
 use crate::spectral::{Constants, FINEST, RANGE_NM, rgb_weights};
 use bxdf::batch::{Columns, Path};
-use bxdf::param::{Kind, Value};
+use bxdf::param::{Kind, Role, Value};
 use bxdf::{Bxdf, Component, Material, Precision};
 
 /// How many wavelengths are tried.
@@ -102,7 +102,7 @@ fn substances(material: &Material) -> Result<Vec<Option<&'static Constants>>, St
 fn is_grey(component: &Component, has_constants: bool) -> bool {
     let params = component.params();
     let mut colours = params.iter().filter(|(spec, _)| {
-        let is_index = has_constants && ["eta", "k"].contains(&spec.name);
+        let is_index = has_constants && matches!(spec.role, Role::Index | Role::Absorption);
         spec.kind == Kind::Rgb && params.is_relevant(spec) && !is_index
     });
     colours.all(|(_, value)| match value {
@@ -187,10 +187,11 @@ fn with_indices(
 ) -> Option<Component> {
     let indices = wavelengths.map(|nm| constants.at(nm));
     let mut params = component.params().clone();
-    params
-        .set("eta", Value::Rgb(indices.map(|[n, _]| n)))
-        .ok()?;
-    params.set("k", Value::Rgb(indices.map(|[_, k]| k))).ok()?;
+    let (n, k) = (indices.map(|[n, _]| n), indices.map(|[_, k]| k));
+    for (role, values) in [(Role::Index, n), (Role::Absorption, k)] {
+        let (spec, _) = params.of_role(role)?;
+        params.set(spec.name, Value::Rgb(values)).ok()?;
+    }
     let mut changed = component.clone();
     changed.set_all(&params).ok()?;
     Some(changed)

@@ -21,7 +21,7 @@ pub struct MaterialEntry {
     pub material: Material,
     /// Whether the views show it, where no other is alone.
     pub is_visible: bool,
-    /// Whether the widths alpha_x and alpha_y move together.
+    /// Whether the widths along s and t move together.
     pub has_linked_widths: bool,
 }
 
@@ -79,7 +79,10 @@ impl MaterialEntry {
 /// Whether no lobe of `material` is wider along s than along t.
 pub(super) fn has_equal_widths(material: &Material) -> bool {
     material.components().iter().all(|component| {
-        let [x, y] = ["alpha_x", "alpha_y"].map(|name| component.params().get(name));
-        x == y
+        let params = component.params();
+        let widths = params
+            .widths()
+            .map(|names| names.map(|name| params.get(name)));
+        widths.is_none_or(|[s, t]| s == t)
     })
 }

@@ -34,7 +34,6 @@ pub use numbers::{
 };
 pub use questions::SHARES;
 pub use text::{Opened, pasted, read};
-pub use ties::WIDTHS;
 pub use view_options::{
     Arrangement, CartesianOptions, Decomposed, DecompositionOptions, ErrorUnit, HemisphereOptions,
     ReflectanceOptions, SamplingOptions, SamplingPlot, SliceOptions, SphereOptions, Split,

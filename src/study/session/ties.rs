@@ -7,13 +7,10 @@ use super::materials::Materials;
 use bxdf::param::{ParamSpec, Value};
 use bxdf::{Component, Material};
 
-/// The widths along s and t that are linked.
-pub const WIDTHS: [&str; 2] = ["alpha_x", "alpha_y"];
-
-/// The other one of the linked widths.
-fn partner(name: &str) -> Option<&'static str> {
-    let [x, y] = WIDTHS;
-    [(x, y), (y, x)]
+/// The other one of the widths of `component` that are linked, along s and t.
+fn partner(component: &Component, name: &str) -> Option<&'static str> {
+    let [s, t] = component.params().widths()?;
+    [(s, t), (t, s)]
         .into_iter()
         .find(|(width, _)| *width == name)
         .map(|(_, other)| other)
@@ -90,26 +87,29 @@ fn changes(before: &Material, after: &Material) -> Vec<Change> {
 /// s, whatever was changed.
 fn link(material: &mut Material, before: &Material, is_new: bool) {
     let mut components = material.components().to_vec();
-    let [x, y] = WIDTHS;
     if is_new {
         for component in &mut components {
-            if let Some(value) = component.params().get(x) {
-                // A model without the other width has nothing to link.
-                let _ = component.set(y, value);
+            let params = component.params();
+            if let Some([s, t]) = params.widths()
+                && let Some(value) = params.get(s)
+            {
+                // A model that refuses it keeps its own.
+                let _ = component.set(t, value);
             }
         }
     }
     let changes = changes(before, material);
     for change in &changes {
-        let Some(other) = partner(change.name) else {
+        let Some(component) = components.get_mut(change.lobe) else {
+            continue;
+        };
+        let Some(other) = partner(component, change.name) else {
             continue;
         };
         let is_changed_too = changes
             .iter()
             .any(|own| own.lobe == change.lobe && own.name == other);
-        if let Some(component) = components.get_mut(change.lobe)
-            && !is_changed_too
-        {
+        if !is_changed_too {
             let _ = component.set(other, change.value);
         }
     }
@@ -121,9 +121,9 @@ fn link(material: &mut Material, before: &Material, is_new: bool) {
 /// Sets the parameter in every lobe of `entry` that has it, and its partner where these are linked.
 fn set_everywhere(entry: &mut MaterialEntry, change: &Change) {
     let mut components = entry.material.components().to_vec();
-    let names = [Some(change.name), partner(change.name)];
     let is_linked = entry.has_linked_widths;
     for component in &mut components {
+        let names = [Some(change.name), partner(component, change.name)];
         for name in names.into_iter().take(1 + usize::from(is_linked)).flatten() {
             // A model without the parameter, or with another range, is as it was.
             let _ = component.set(name, change.value);

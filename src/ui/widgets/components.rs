@@ -6,7 +6,7 @@ use egui::{Align, Button, Layout, Response, RichText, Role, Ui, WidgetInfo};
 use super::params::{self, Ties};
 use bxdf::Catalogue;
 use bxdf::material::{MAX_COMPONENTS, library};
-use bxdf::param::Value;
+use bxdf::param::{Role, Value};
 use bxdf::{Category, Component, Material, ModelSpec};
 use bxdf_lab::contract::weight_that_keeps_energy;
 
@@ -260,11 +260,18 @@ fn added(model: &'static ModelSpec, material: &Material) -> Component {
     let is_crossed = |component: &Component| component.model().transmits();
     if is_crossed(&component) && material.components().iter().any(is_crossed) {
         // A model without such a parameter, or another index by it, is refused with the reason when it is added.
-        let _ = component.set("eta", Value::Number(material.relative_index()));
+        set_index(&mut component, material.relative_index());
     }
     // It is within the range.
     let _ = component.set_weight(weight_that_keeps_energy(material, &component, ADDED_WEIGHT));
     component
+}
+
+/// Gives `component` this index of refraction. A model without such a parameter, or whose range ends before, stays as it is.
+fn set_index(component: &mut Component, index: f64) {
+    if let Some((spec, _)) = component.params().of_role(Role::Index) {
+        let _ = component.set(spec.name, Value::Number(index));
+    }
 }
 
 /// What is said of a lobe that was added.
@@ -294,7 +301,7 @@ fn carry_index(before: &[Component], components: &mut [Component]) {
         |component: &&mut Component| is_crossed(component) && component.relative_index() != index;
     for component in components.iter_mut().filter(others) {
         // A model without such a parameter, or whose range ends before, is refused with the reason.
-        let _ = component.set("eta", Value::Number(index));
+        set_index(component, index);
     }
 }
 

@@ -9,9 +9,8 @@ use crate::widgets::number::{Number, Shown};
 use bxdf::Component;
 use bxdf::error::Error;
 use bxdf::material::WEIGHT;
-use bxdf::param::{Kind, ParamSpec, Scale, Value};
+use bxdf::param::{Kind, ParamSpec, Role, Scale, Value};
 use bxdf_study::number::NumberSpec;
-use bxdf_study::session::WIDTHS;
 
 /// Says why a model refuses a value though it is within its range.
 type Check<'a> = &'a dyn Fn(Value) -> Result<(), String>;
@@ -99,8 +98,7 @@ pub fn show(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>, ties
         let mut edited = value;
         ui.push_id((component.model().id, spec.name), |ui| {
             row(ui, spec, &mut edited, ordinal, Some(ties), &check);
-            let [first, second] = WIDTHS;
-            if spec.name == second && params.get(first).is_some() {
+            if spec.role == Role::WidthT {
                 ties.link_box(ui, ordinal);
             }
         });

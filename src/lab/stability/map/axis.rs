@@ -2,7 +2,7 @@
 
 use super::place::Place;
 use bxdf::Material;
-use bxdf::param::{Kind, ParamSpec, Scale, Value};
+use bxdf::param::{Kind, ParamSet, ParamSpec, Role, Scale, Value};
 
 /// What a map runs over along one of its sides.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +55,7 @@ impl Axis {
         let mut all = Self::ANGLES.to_vec();
         for (index, component) in material.components().iter().enumerate() {
             let params = component.params();
-            if params.get("alpha_x").is_some() {
+            if params.widths().is_some() {
                 all.extend([Self::Width(index), Self::Anisotropy(index)]);
             }
             for (spec, _) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
@@ -150,12 +150,17 @@ impl Axis {
     /// The share at which `place` stands on it, 0..1; at an end where it lies beyond.
     #[must_use]
     pub fn share(&self, place: &Place) -> f64 {
-        let number = |index: usize, name: &str| {
+        let found = |index: usize, find: &dyn Fn(&ParamSet) -> Option<Value>| {
             let component = place.material.components().get(index);
-            match component.and_then(|component| component.params().get(name)) {
+            match component.and_then(|component| find(component.params())) {
                 Some(Value::Number(x) | Value::Rgb([x, ..])) => x,
                 _ => 0.0,
             }
+        };
+        let of_role = |index: usize, role| {
+            found(index, &|params| {
+                params.of_role(role).map(|(_, value)| value)
+            })
         };
         let value = match self {
             Self::ThetaO => place.theta_o_deg,
@@ -163,10 +168,12 @@ impl Axis {
             Self::GrazingO => 90.0 - place.theta_o_deg,
             Self::GrazingI => 90.0 - place.theta_i_deg,
             Self::Azimuth => place.azimuth_deg,
-            Self::Width(index) => number(*index, "alpha_x"),
-            Self::Anisotropy(index) => number(*index, "alpha_x") / number(*index, "alpha_y"),
-            Self::IndexLessOne(index) => (number(*index, "eta") - 1.0).abs(),
-            Self::Parameter(index, spec) => number(*index, spec.name),
+            Self::Width(index) => of_role(*index, Role::WidthS),
+            Self::Anisotropy(index) => {
+                of_role(*index, Role::WidthS) / of_role(*index, Role::WidthT)
+            }
+            Self::IndexLessOne(index) => (of_role(*index, Role::Index) - 1.0).abs(),
+            Self::Parameter(index, spec) => found(*index, &|params| params.get(spec.name)),
         };
         let [from, to] = self.range();
         let share = if self.is_logarithmic() {
@@ -185,6 +192,7 @@ impl Axis {
     /// `place` with this axis at `value`; `None` where the material refuses it.
     pub(super) fn moved(&self, place: &Place, value: f64) -> Option<Place> {
         let mut moved = place.clone();
+        let params = |index: usize| Some(place.material.components().get(index)?.params());
         let with = |index: usize, values: &[(&str, f64)]| {
             let mut components = place.material.components().to_vec();
             let component = components.get_mut(index)?;
@@ -206,15 +214,20 @@ impl Axis {
             Self::GrazingI => moved.theta_i_deg = 90.0 - value,
             Self::Azimuth => moved.azimuth_deg = value,
             Self::Width(index) => {
-                moved.material = with(*index, &[("alpha_x", value), ("alpha_y", value)])?;
+                let [s, t] = params(*index)?.widths()?;
+                moved.material = with(*index, &[(s, value), (t, value)])?;
             }
             Self::Anisotropy(index) => {
-                let params = place.material.components().get(*index)?.params();
-                let product = params.number("alpha_x") * params.number("alpha_y");
+                let params = params(*index)?;
+                let [s, t] = params.widths()?;
+                let product = params.number(s) * params.number(t);
                 let x = (product * value).sqrt().clamp(value * LEAST, 1.0);
-                moved.material = with(*index, &[("alpha_x", x), ("alpha_y", x / value)])?;
+                moved.material = with(*index, &[(s, x), (t, x / value)])?;
             }
-            Self::IndexLessOne(index) => moved.material = with(*index, &[("eta", 1.0 + value)])?,
+            Self::IndexLessOne(index) => {
+                let (spec, _) = params(*index)?.of_role(Role::Index)?;
+                moved.material = with(*index, &[(spec.name, 1.0 + value)])?;
+            }
             Self::Parameter(index, spec) => moved.material = with(*index, &[(spec.name, value)])?,
         }
         Some(moved)

@@ -1,0 +1,113 @@
+//! What a parameter means is said by its role, not by its name.
+
+#![allow(clippy::unwrap_used, reason = "a test stops at what it did not expect")]
+
+use std::collections::BTreeSet;
+
+use brdf_explorer::bxdf::param::Role;
+use brdf_explorer::bxdf::{
+    Bxdf, Catalogue, Category, Component, Lobe, Material, ModelSpec, ParamSet, ParamSpec,
+    Precision, Properties, Value, builders,
+};
+use brdf_explorer::lab::stability::map::Axis;
+use brdf_explorer::lab::stability::{Case, examine};
+use brdf_explorer::study::session::Materials;
+
+const fn spread(name: &'static str, role: Role) -> ParamSpec {
+    ParamSpec::number(name, 0.3, "How far it spreads")
+        .hard(1e-4, 1.0)
+        .role(role)
+}
+
+/// A rough dielectric whose parameters have other names than anywhere else.
+static RIPPLED: ModelSpec = ModelSpec {
+    id: "rippled",
+    title: "Rippled",
+    source: "this test",
+    summary: "None",
+    lobes: &[
+        Lobe::reflection(Category::GlossySpecular),
+        Lobe::transmission(Category::GlossySpecular),
+    ],
+    parameters: &[
+        spread("sigma_u", Role::WidthS),
+        spread("sigma_v", Role::WidthT),
+        ParamSpec::number("denser", 1.5, "Index of refraction")
+            .hard(0.25, 1000.0)
+            .role(Role::Index),
+    ],
+    properties: Properties {
+        relative_index: |params| params.number("denser"),
+        ..Properties::TWO_WIDTHS
+    },
+    validate: ModelSpec::any,
+    builders: builders!(build),
+    stand_ins: &[],
+};
+
+fn build<R: Precision>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+    let mut inner = Component::of(Catalogue::current().find("rough_dielectric").unwrap());
+    for (name, own) in [
+        ("alpha_x", "sigma_u"),
+        ("alpha_y", "sigma_v"),
+        ("eta", "denser"),
+    ] {
+        inner.set(name, Value::Number(params.number(own))).unwrap();
+    }
+    inner.build()
+}
+
+/// Extremes looked at in a model, one in so many of its sets of parameters.
+fn extremes(model: &ModelSpec) -> BTreeSet<Case> {
+    let all = examine(model, 1, 0);
+    all.into_iter().map(|extreme| extreme.case).collect()
+}
+
+#[test]
+fn a_model_with_unusual_names_has_the_extremes_of_its_kind() {
+    let found = extremes(&RIPPLED);
+    for case in [
+        Case::Narrow,
+        Case::Anisotropic,
+        Case::IndexNearOne,
+        Case::LargeIndex,
+        Case::Core,
+    ] {
+        assert!(found.contains(&case), "{case:?}");
+    }
+    let usual = Catalogue::current().find("rough_dielectric").unwrap();
+    assert_eq!(found, extremes(usual));
+}
+
+#[test]
+fn a_model_with_unusual_names_has_the_axes_of_its_kind() {
+    let ids = |material: &Material| -> Vec<String> {
+        let axes = Axis::all(material);
+        axes.iter()
+            .map(Axis::id)
+            .filter(|id| !id.contains("alpha_"))
+            .collect()
+    };
+    let own = ids(&Material::of(&RIPPLED));
+    for id in ["alpha", "anisotropy", "eta less 1"] {
+        assert!(own.iter().any(|own| own == id), "{own:?}");
+    }
+}
+
+#[test]
+fn unusual_widths_are_linked_and_set_together() {
+    let mut materials = Materials::new(vec![Material::of(&RIPPLED)]).unwrap();
+    assert!(materials.selected().has_linked_widths);
+    let before = materials.selected().clone();
+    let mut component = Component::of(&RIPPLED);
+    component.set("sigma_v", Value::Number(0.7)).unwrap();
+    materials.selected_mut().material = Material::new(vec![component.clone()]).unwrap();
+    materials.follow(&before, &BTreeSet::new());
+    let text = materials.selected().material.to_string();
+    assert_eq!(text, "rippled:sigma_u=0.7,sigma_v=0.7");
+    assert!(!component.is_isotropic());
+    // Both go by what their names begin with.
+    component.set_text("sigma", "0.2").unwrap();
+    assert_eq!(component.params().number("sigma_u"), 0.2);
+    assert!(component.is_isotropic());
+}
