@@ -6,7 +6,7 @@ use brdf_explorer::analysis::reflectance::directional_hemispherical;
 use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::math::frame::direction_from_degrees;
 use brdf_explorer::bxdf::models::MODELS;
-use brdf_explorer::bxdf::{Bxdf, Material};
+use brdf_explorer::bxdf::{Material, Scatterer};
 use rayon::prelude::*;
 
 /// The absolute error wanted.
@@ -26,7 +26,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
 }
 
 /// The estimated error of the reflectance at `theta` degrees.
-fn error(bxdf: &dyn Bxdf<f64>, theta: f64) -> f64 {
+fn error(bxdf: &dyn Scatterer<f64>, theta: f64) -> f64 {
     directional_hemispherical(bxdf, direction_from_degrees(theta, PHI), TOLERANCE).error
 }
 

@@ -11,7 +11,7 @@ use brdf_explorer::analysis::{HeldLobe, Hold, RadialScale, lobe3d, polar};
 use brdf_explorer::bxdf::math::frame::direction_from_degrees;
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::param::ParamSet;
-use brdf_explorer::bxdf::{Bxdf, ModelSpec};
+use brdf_explorer::bxdf::{ModelSpec, Scatterer};
 use brdf_explorer::lab::contract::parameter_sets;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ fn is_blade(params: &ParamSet) -> bool {
 
 /// Runs `check` for every model with a value, parameter set of its sweep and held direction; returns what it finds wrong.
 fn for_every_lobe(
-    check: impl Fn(&ModelSpec, &ParamSet, &dyn Bxdf<f64>, DVec3) -> Option<String> + Sync,
+    check: impl Fn(&ModelSpec, &ParamSet, &dyn Scatterer<f64>, DVec3) -> Option<String> + Sync,
 ) -> Vec<String> {
     let cases: Vec<_> = MODELS
         .into_iter()

@@ -12,7 +12,7 @@ use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::optics::Spectrum;
-use brdf_explorer::bxdf::{Bxdf, Material, Precision};
+use brdf_explorer::bxdf::{Material, Precision, Scatterer};
 
 /// Directions of a spiral over the sphere, `n` of them, as components.
 fn spiral<R: Real>(n: usize, turn: f64) -> [Vec<R>; 3] {
@@ -124,7 +124,7 @@ fn batches_give_what_single_calls_give<R: Precision>(n: usize) {
 
 /// The direction of a lobe and f |cos| / pdf there, by single calls; 0 where it is lost.
 fn drawn<R: Real>(
-    bxdf: &dyn Bxdf<R>,
+    bxdf: &dyn Scatterer<R>,
     index: usize,
     is_incident: bool,
     held: Vec3<R>,

@@ -9,7 +9,7 @@
 use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::param::{Kind, ParamSet, ParamSpec, Scale, Value};
-use brdf_explorer::bxdf::{Bxdf, Component, ModelSpec, Side};
+use brdf_explorer::bxdf::{Component, ModelSpec, Scatterer, Side};
 use brdf_explorer::lab::rounding::UNIT_LENGTH_ROUNDOFFS;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -111,7 +111,7 @@ fn is_good<R: Real>(x: R) -> bool {
 
 /// `f` and `pdf` are finite and not negative, and the same together as each by itself.
 fn values_are_good<R: Real>(
-    bxdf: &dyn Bxdf<R>,
+    bxdf: &dyn Scatterer<R>,
     wo: [f64; 3],
     wi: [f64; 3],
 ) -> Result<(), TestCaseError> {
@@ -129,7 +129,7 @@ fn values_are_good<R: Real>(
 /// A sample is a unit vector on a side that has a lobe, with a density and a finite weight.
 fn a_sample_is_good<R: Real>(
     model: &ModelSpec,
-    bxdf: &dyn Bxdf<R>,
+    bxdf: &dyn Scatterer<R>,
     wo: [f64; 3],
     u: [f64; 3],
 ) -> Result<(), TestCaseError> {

@@ -10,7 +10,7 @@
 use std::path::{Path, PathBuf};
 
 use brdf_explorer::bxdf::math::Vec3;
-use brdf_explorer::bxdf::{Bxdf, Material, Precision};
+use brdf_explorer::bxdf::{Material, Precision, Scatterer};
 use glam::DVec3;
 use xprec::Df64;
 
@@ -135,7 +135,7 @@ fn compare<R: Precision>(tolerance: fn(&File, f64) -> f64) {
     for file in &FILES {
         let (material, rows) = read(file.name);
         assert_eq!(rows.len(), file.rows, "{}", file.name);
-        let model: Box<dyn Bxdf<R>> = material.build();
+        let model: Box<dyn Scatterer<R>> = material.build();
         let allowed = tolerance(file, smallest_width(&material));
         for row in &rows {
             let (wo, wi): (Vec3<R>, Vec3<R>) = (row.wo.into(), row.wi.into());

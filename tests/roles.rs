@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 
 use brdf_explorer::bxdf::param::Role;
 use brdf_explorer::bxdf::{
-    Bxdf, Catalogue, Category, Component, Lobe, Material, ModelSpec, ParamSet, ParamSpec,
-    Precision, Properties, Value, builders,
+    Catalogue, Category, Component, Lobe, Material, ModelSpec, ParamSet, ParamSpec, Precision,
+    Properties, Scatterer, Value, builders,
 };
 use brdf_explorer::lab::stability::map::Axis;
 use brdf_explorer::lab::stability::{Case, examine};
@@ -45,7 +45,7 @@ static RIPPLED: ModelSpec = ModelSpec {
     stand_ins: &[],
 };
 
-fn build<R: Precision>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Precision>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let mut inner = Component::of(Catalogue::current().find("rough_dielectric").unwrap());
     for (name, own) in [
         ("alpha_x", "sigma_u"),

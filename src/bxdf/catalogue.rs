@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use crate::error::{Error, Result, shown};
-use crate::material::library;
+use crate::material::embedded;
 use crate::models::MODELS;
 use crate::spec::ModelSpec;
 
@@ -55,7 +55,7 @@ impl Catalogue {
         if id.is_empty() || !id.chars().all(is_letter) {
             return refused("an id is a word of lower-case letters, digits and underscores");
         }
-        if self.find(id).is_ok() || library::ids().any(|other| other == id) {
+        if self.find(id).is_ok() || embedded::ids().any(|other| other == id) {
             return refused("there is another one of this id");
         }
         let names: BTreeSet<&str> = model.parameters.iter().map(|spec| spec.name).collect();

@@ -1,10 +1,12 @@
 //! Surfaces whose light is all in Dirac deltas.
 
-use super::batch::loops;
+use super::batch::{Scatterer, loops};
+use super::lobe::Side;
+use super::lobes::Lobes;
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
-use super::sample::sample_deltas;
-use super::{Bxdf, Delta, Deltas, Sample, Side};
+use super::sample::{Delta, Deltas, Sample, sample_deltas};
+use super::scattering::Bxdf;
 
 /// Says where the deltas of such a surface are.
 pub trait DeltaLobes<R: Real>: Send + Sync {
@@ -17,8 +19,6 @@ pub trait DeltaLobes<R: Real>: Send + Sync {
 pub struct DeltaOnly<L>(pub L);
 
 impl<R: Real, L: DeltaLobes<R>> Bxdf<R> for DeltaOnly<L> {
-    loops!(R, if false);
-
     #[inline(always)]
     fn f(&self, _wo: Vec3<R>, _wi: Vec3<R>) -> Spectrum<R> {
         Spectrum::black()
@@ -41,6 +41,12 @@ impl<R: Real, L: DeltaLobes<R>> Bxdf<R> for DeltaOnly<L> {
         }
         self.0.deltas(w)
     }
+}
+
+impl<R: Real, L: DeltaLobes<R>> Lobes<R> for DeltaOnly<L> {}
+
+impl<R: Real, L: DeltaLobes<R>> Scatterer<R> for DeltaOnly<L> {
+    loops!(R, if false);
 }
 
 /// No surface at all: light goes straight on. What a rough interface is where its index is 1, however rough.

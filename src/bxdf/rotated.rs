@@ -1,13 +1,16 @@
 //! A surface turned about its normal.
 
-use super::batch::{Columns, Directions, Job, Path};
+use super::batch::{Columns, Directions, Job, Path, Scatterer};
+use super::lobe::Lobe;
+use super::lobes::{Lobes, Microfacet};
 use super::math::{Real, Vec3};
 use super::optics::Spectrum;
-use super::{Bxdf, Delta, Deltas, Lobe, Microfacet, Sample};
+use super::sample::{Delta, Deltas, Sample};
+use super::scattering::Bxdf;
 
 /// `inner` on a surface whose s axis points to azimuth `angle`: the same model with all directions turned.
 pub struct Rotated<R: Real> {
-    inner: Box<dyn Bxdf<R>>,
+    inner: Box<dyn Scatterer<R>>,
     cos: R,
     sin: R,
 }
@@ -15,7 +18,7 @@ pub struct Rotated<R: Real> {
 impl<R: Real> Rotated<R> {
     /// `inner` turned by `cos_sin`, the cosine and sine of the angle from the fixed s axis to the surface's own.
     #[must_use]
-    pub fn new(inner: Box<dyn Bxdf<R>>, cos_sin: (R, R)) -> Self {
+    pub fn new(inner: Box<dyn Scatterer<R>>, cos_sin: (R, R)) -> Self {
         Self {
             inner,
             cos: cos_sin.0,
@@ -78,6 +81,64 @@ impl<R: Real> Local<'_, R> {
 }
 
 impl<R: Real> Bxdf<R> for Rotated<R> {
+    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        self.inner
+            .f(self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.inner
+            .pdf(self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
+        let sample = self.inner.sample_f(self.local_from_fixed(wo), uc, u)?;
+        Some(Sample {
+            wi: self.fixed_from_local(sample.wi),
+            ..sample
+        })
+    }
+
+    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
+        let turned = |delta: Delta<R>| Delta {
+            direction: self.fixed_from_local(delta.direction),
+            ..delta
+        };
+        self.inner
+            .deltas(self.local_from_fixed(w))
+            .map(|delta| delta.map(turned))
+    }
+}
+
+impl<R: Real> Lobes<R> for Rotated<R> {
+    fn lobes(&self) -> &[Lobe] {
+        self.inner.lobes()
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.inner
+            .lobe_pdf(index, self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        let wi = self
+            .inner
+            .sample_lobe(index, self.local_from_fixed(wo), u)?;
+        Some(self.fixed_from_local(wi))
+    }
+
+    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        self.inner
+            .lobe_f(index, self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+
+    fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
+        self.inner
+            .microfacet(self.local_from_fixed(wo), self.local_from_fixed(wi))
+    }
+}
+
+impl<R: Real> Scatterer<R> for Rotated<R> {
     fn batch(&self, path: Path, job: Job<'_, R>) {
         let n = job.len();
         match job {
@@ -145,60 +206,6 @@ impl<R: Real> Bxdf<R> for Rotated<R> {
             }
         }
     }
-
-    fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        self.inner
-            .f(self.local_from_fixed(wo), self.local_from_fixed(wi))
-    }
-
-    fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        self.inner
-            .pdf(self.local_from_fixed(wo), self.local_from_fixed(wi))
-    }
-
-    fn sample_f(&self, wo: Vec3<R>, uc: R, u: [R; 2]) -> Option<Sample<R>> {
-        let sample = self.inner.sample_f(self.local_from_fixed(wo), uc, u)?;
-        Some(Sample {
-            wi: self.fixed_from_local(sample.wi),
-            ..sample
-        })
-    }
-
-    fn lobes(&self) -> &[Lobe] {
-        self.inner.lobes()
-    }
-
-    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        self.inner
-            .lobe_pdf(index, self.local_from_fixed(wo), self.local_from_fixed(wi))
-    }
-
-    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        let wi = self
-            .inner
-            .sample_lobe(index, self.local_from_fixed(wo), u)?;
-        Some(self.fixed_from_local(wi))
-    }
-
-    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        self.inner
-            .lobe_f(index, self.local_from_fixed(wo), self.local_from_fixed(wi))
-    }
-
-    fn microfacet(&self, wo: Vec3<R>, wi: Vec3<R>) -> Option<Microfacet<R>> {
-        self.inner
-            .microfacet(self.local_from_fixed(wo), self.local_from_fixed(wi))
-    }
-
-    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        let turned = |delta: Delta<R>| Delta {
-            direction: self.fixed_from_local(delta.direction),
-            ..delta
-        };
-        self.inner
-            .deltas(self.local_from_fixed(w))
-            .map(|delta| delta.map(turned))
-    }
 }
 
 #[cfg(test)]
@@ -211,7 +218,7 @@ mod tests {
     fn turning_the_surface_is_turning_the_directions_back() {
         let material: Material = "rough_conductor:alpha_x=0.1,alpha_y=0.5".parse().unwrap();
         let turned = Rotated::new(material.build::<f64>(), cos_sin_deg(30.0));
-        let f = |model: &dyn Bxdf<f64>, azimuth: f64| {
+        let f = |model: &dyn Scatterer<f64>, azimuth: f64| {
             let wo = direction_from_degrees(40.0, azimuth).into();
             let wi = direction_from_degrees(30.0, azimuth + 150.0).into();
             model.f(wo, wi).0[0]

@@ -1,8 +1,8 @@
 //! What is drawn: samples, and the Dirac deltas among them.
 
+use crate::lobe::Side;
 use crate::math::{Real, Vec3};
 use crate::optics::Spectrum;
-use crate::spec::Side;
 
 /// What [`Bxdf::sample_f`](crate::Bxdf::sample_f) returns.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::args::{self, Given};
 use super::output;
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::error::{Result, line};
 use bxdf::math::frame::direction_from_degrees;
 use bxdf_lab::analysis::isotropy;
@@ -93,7 +93,7 @@ fn report(arguments: &Arguments) -> Report {
     }
 }
 
-fn row(bxdf: &dyn Bxdf<f64>, theta: f64, phi: f64) -> Row {
+fn row(bxdf: &dyn Scatterer<f64>, theta: f64, phi: f64) -> Row {
     let wi = direction_from_degrees(theta, phi);
     let lobes = lobe_shares(bxdf, wi, TOLERANCE, MAX_EVALUATIONS);
     let found = Reflectance::of(&lobes);

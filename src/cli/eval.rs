@@ -11,7 +11,7 @@ use super::output::Table;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::error::Result;
 use bxdf::math::Real;
-use bxdf::{Bxdf, Precision};
+use bxdf::{Precision, Scatterer};
 
 /// The columns added to those read.
 const RESULTS: [&str; 4] = ["f_r", "f_g", "f_b", "pdf"];
@@ -88,7 +88,7 @@ impl<R: Real> Chunk<R> {
     }
 
     /// Writes the rows with their results, and forgets them.
-    fn write(&mut self, bxdf: &dyn Bxdf<R>, table: &mut Table) -> Result<()> {
+    fn write(&mut self, bxdf: &dyn Scatterer<R>, table: &mut Table) -> Result<()> {
         let pairs = Columns::from_rows(self.pairs.drain(..));
         let [ox, oy, oz, ix, iy, iz] = pairs.slices();
         let mut results = Columns::filled(R::zero(), pairs.len());

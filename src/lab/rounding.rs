@@ -11,7 +11,7 @@ use glam::DVec3;
 use xprec::Df64;
 
 use super::subject::{Neighbour, Subject};
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::math::{Real, Vec3};
 
 /// What the law allows in units of (1 + kappa) u: the roundings of some two dozen operations, which rarely all add up.
@@ -60,7 +60,7 @@ impl Quantity {
 }
 
 /// The numbers that `bxdf` gives for a pair, in the order of [`Quantity::ALL`].
-pub fn quantities<R: Real>(bxdf: &dyn Bxdf<R>, wo: Vec3<R>, wi: Vec3<R>) -> [R; 4] {
+pub fn quantities<R: Real>(bxdf: &dyn Scatterer<R>, wo: Vec3<R>, wi: Vec3<R>) -> [R; 4] {
     let (f, pdf) = bxdf.f_pdf(wo, wi);
     let [r, g, b] = f.0;
     [r, g, b, pdf]
@@ -77,7 +77,7 @@ const COMPONENT_STEP: f64 = 1e-16;
 /// They are sums of terms that are not negative: where all have reached `enough`, the rest is left out.
 #[must_use]
 pub fn condition_numbers(
-    (reference, neighbours): (&dyn Bxdf<Df64>, &[Neighbour]),
+    (reference, neighbours): (&dyn Scatterer<Df64>, &[Neighbour]),
     (wo, wi): (DVec3, DVec3),
     unit_roundoff: f64,
     enough: [f64; 4],

@@ -9,7 +9,7 @@ use super::control::{Control, Controls, time};
 use super::timing::Timing;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::Real;
-use bxdf::{Bxdf, Material, Precision};
+use bxdf::{Material, Precision, Scatterer};
 
 /// Pairs of directions of a batch: their arrays are beyond every cache, as a renderer's are.
 pub const PAIRS: usize = 1 << 20;
@@ -218,7 +218,7 @@ pub fn measure<R: Precision>(
 const OUTPUTS: usize = 8;
 
 fn run<R: Precision>(
-    bxdf: &dyn Bxdf<R>,
+    bxdf: &dyn Scatterer<R>,
     pairs: &Pairs<R>,
     operation: Operation,
     mode: Mode,
@@ -269,7 +269,7 @@ impl<'a, R: Precision> Part<'a, R> {
             .collect()
     }
 
-    fn run(self, bxdf: &dyn Bxdf<R>, operation: Operation, path: Path) {
+    fn run(self, bxdf: &dyn Scatterer<R>, operation: Operation, path: Path) {
         let [ox, oy, oz, ix, iy, iz, uc, u, v] = self.given;
         let (wo, wi) = ([ox, oy, oz], [ix, iy, iz]);
         let [r, g, b, pdf, x, y, z, delta] = self.out;

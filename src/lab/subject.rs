@@ -9,7 +9,7 @@ use xprec::Df64;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::{Real, frame};
 use bxdf::param::{ParamSet, ParamSpec, Value};
-use bxdf::{Bxdf, Category, Lobe, Material, ModelSpec, Side};
+use bxdf::{Category, Lobe, Material, ModelSpec, Scatterer, Side};
 
 /// Where a deviation is found: as text, and the directions for whoever wants to go there.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -45,13 +45,13 @@ pub struct Subject {
     /// Model and parameters, as text.
     pub name: String,
     /// In `f32`.
-    pub single: Box<dyn Bxdf<f32>>,
+    pub single: Box<dyn Scatterer<f32>>,
     /// In `f64`: what most laws are run on.
-    pub double: Box<dyn Bxdf<f64>>,
+    pub double: Box<dyn Scatterer<f64>>,
     /// In the reference precision.
-    pub reference: Box<dyn Bxdf<Df64>>,
+    pub reference: Box<dyn Scatterer<Df64>>,
     /// In the reference precision, with the parameters rounded to `f32`.
-    pub reference_of_single: Box<dyn Bxdf<Df64>>,
+    pub reference_of_single: Box<dyn Scatterer<Df64>>,
     /// The same model at parameters nearby, to measure how much a parameter's rounding matters.
     pub neighbours: Vec<Neighbour>,
     /// The lobes its models say they have.
@@ -65,7 +65,7 @@ pub struct Subject {
 /// A model at two values of one parameter, close to each other.
 pub struct Neighbour {
     /// The model at the larger and at the smaller value.
-    pub pair: [Box<dyn Bxdf<Df64>>; 2],
+    pub pair: [Box<dyn Scatterer<Df64>>; 2],
     /// The difference of the two values over the value itself.
     pub relative_step: f64,
     /// The precision whose steps these are, by its unit round-off; any where there is none.
@@ -250,7 +250,7 @@ pub(crate) fn rounded_to_single(params: &ParamSet) -> ParamSet {
 /// parameters, if they are allowed.
 fn neighbours(
     params: &ParamSet,
-    build: impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<Df64>>>,
+    build: impl Fn(&ParamSet) -> Option<Box<dyn Scatterer<Df64>>>,
 ) -> Vec<Neighbour> {
     params
         .iter()
@@ -270,7 +270,7 @@ fn neighbours(
 
 fn neighbour(
     params: &ParamSet,
-    build: &impl Fn(&ParamSet) -> Option<Box<dyn Bxdf<Df64>>>,
+    build: &impl Fn(&ParamSet) -> Option<Box<dyn Scatterer<Df64>>>,
     (spec, value): (&ParamSpec, Value),
     unit_roundoff: Option<f64>,
 ) -> Option<Neighbour> {

@@ -10,7 +10,7 @@ use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Session};
 use bxdf::Rotated;
 use bxdf::math::frame;
-use bxdf::{Bxdf, Material};
+use bxdf::{Material, Scatterer};
 use bxdf_lab::analysis::lobe::Arrow;
 use bxdf_lab::analysis::{Detail, HeldLobe, Hold, Question, Subject};
 use bxdf_lab::contract::{LawReport, check_physical};
@@ -30,7 +30,7 @@ pub enum Progress {
 /// A material, turned about n.
 pub struct Surface {
     /// What is evaluated.
-    pub bxdf: Box<dyn Bxdf<f64>>,
+    pub bxdf: Box<dyn Scatterer<f64>>,
     /// The index of refraction below over that above.
     pub relative_index: f64,
 }

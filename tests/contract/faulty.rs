@@ -4,8 +4,8 @@ use brdf_explorer::bxdf::math::{Real, Vec3};
 use brdf_explorer::bxdf::optics::Spectrum;
 use brdf_explorer::bxdf::param::ParamSet;
 use brdf_explorer::bxdf::{
-    Bxdf, Category, Component, Deltas, Lobe, Material, ModelSpec, Precision, Properties, Sample,
-    builders,
+    Bxdf, Category, Component, Deltas, Lobe, Lobes, Material, ModelSpec, Precision, Properties,
+    Sample, Scatterer, builders,
 };
 
 // What can be wrong with a model; each is put into an otherwise lawful one.
@@ -39,9 +39,9 @@ pub const STEPPED: usize = 26;
 
 /// A lawful model with one fault.
 struct Faulty<R, const FAULT: usize> {
-    inner: Box<dyn Bxdf<R>>,
+    inner: Box<dyn Scatterer<R>>,
     /// What samples come from, where it is another model.
-    sampled: Box<dyn Bxdf<R>>,
+    sampled: Box<dyn Scatterer<R>>,
 }
 
 /// Two needles apart, and the same with one of them a tenth wider.
@@ -59,7 +59,7 @@ fn sum(text: &str) -> Material {
     Material::new(texts.iter().map(component).collect()).unwrap()
 }
 
-fn build<R: Precision, const FAULT: usize>(_: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Precision, const FAULT: usize>(_: &ParamSet) -> Box<dyn Scatterer<R>> {
     let (inner, sampled) = match FAULT {
         DELTA_WEIGHT | DELTA_ONE_WAY | DELTA_PROBABILITY => {
             ("fresnel_specular", "fresnel_specular")
@@ -147,6 +147,24 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
         Some(sample)
     }
 
+    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
+        self.inner.deltas(w).map(|delta| {
+            let mut delta = delta?;
+            match FAULT {
+                DELTA_WEIGHT => delta.weight = delta.weight * R::of(1.0 + 1e-6),
+                DELTA_ONE_WAY if w.z < R::zero() => {
+                    delta.flux = delta.flux * R::of(0.99);
+                    delta.weight = delta.weight * R::of(0.99);
+                }
+                DELTA_PROBABILITY => delta.probability = delta.probability * R::of(0.9),
+                _ => {}
+            }
+            Some(delta)
+        })
+    }
+}
+
+impl<R: Real, const FAULT: usize> Lobes<R> for Faulty<R, FAULT> {
     fn lobes(&self) -> &[Lobe] {
         self.inner.lobes()
     }
@@ -171,23 +189,9 @@ impl<R: Real, const FAULT: usize> Bxdf<R> for Faulty<R, FAULT> {
     fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
         self.inner.sample_lobe(index, wo, u)
     }
-
-    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        self.inner.deltas(w).map(|delta| {
-            let mut delta = delta?;
-            match FAULT {
-                DELTA_WEIGHT => delta.weight = delta.weight * R::of(1.0 + 1e-6),
-                DELTA_ONE_WAY if w.z < R::zero() => {
-                    delta.flux = delta.flux * R::of(0.99);
-                    delta.weight = delta.weight * R::of(0.99);
-                }
-                DELTA_PROBABILITY => delta.probability = delta.probability * R::of(0.9),
-                _ => {}
-            }
-            Some(delta)
-        })
-    }
 }
+
+impl<R: Real, const FAULT: usize> Scatterer<R> for Faulty<R, FAULT> {}
 
 const DIFFUSE: &[Lobe] = &[Lobe::reflection(Category::Diffuse)];
 const GLOSSY: &[Lobe] = &[Lobe::reflection(Category::GlossySpecular)];

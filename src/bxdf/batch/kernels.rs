@@ -1,8 +1,9 @@
 //! What a batch computes for a block of elements.
 
+use crate::lobes::Lobes;
 use crate::math::{Real, Vec3};
 use crate::optics::Spectrum;
-use crate::{Bxdf, Sample};
+use crate::sample::Sample;
 
 /// Elements that are worked on at a time: the results stay in the fastest cache.
 pub(super) const BLOCK: usize = 64;
@@ -13,7 +14,7 @@ pub(super) type Block<R> = [R; BLOCK];
 /// What a block's numbers are turned into. A type rather than a closure: the call of its function is always inlined.
 pub(super) trait Kernel<R: Real, const M: usize, const N: usize> {
     /// Computes a block.
-    fn block<B: Bxdf<R> + ?Sized>(&self, bxdf: &B, given: [&Block<R>; M], out: [&mut Block<R>; N]);
+    fn block<B: Lobes<R> + ?Sized>(&self, bxdf: &B, given: [&Block<R>; M], out: [&mut Block<R>; N]);
 }
 
 /// The value of each pair.
@@ -21,7 +22,7 @@ pub(super) struct Values;
 
 impl<R: Real> Kernel<R, 6, 3> for Values {
     #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
+    fn block<B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
@@ -45,7 +46,7 @@ pub(super) struct LobeValues(pub(super) usize);
 
 impl<R: Real> Kernel<R, 6, 3> for LobeValues {
     #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
+    fn block<B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
@@ -86,7 +87,7 @@ pub(super) struct Densities;
 
 impl<R: Real> Kernel<R, 6, 1> for Densities {
     #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
+    fn block<B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
@@ -104,7 +105,7 @@ pub(super) struct ValuesAndDensities;
 
 impl<R: Real> Kernel<R, 6, 4> for ValuesAndDensities {
     #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
+    fn block<B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         [ox, oy, oz, ix, iy, iz]: [&Block<R>; 6],
@@ -116,7 +117,7 @@ impl<R: Real> Kernel<R, 6, 4> for ValuesAndDensities {
 
 /// As for [`values`].
 #[inline(always)]
-fn values_and_densities<R: Real, B: Bxdf<R> + ?Sized>(
+fn values_and_densities<R: Real, B: Lobes<R> + ?Sized>(
     bxdf: &B,
     wo: [&Block<R>; 3],
     wi: [&Block<R>; 3],
@@ -138,7 +139,7 @@ pub(super) struct Samples;
 
 impl<R: Real> Kernel<R, 6, 8> for Samples {
     #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
+    fn block<B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         [ox, oy, oz, uc, u, v]: [&Block<R>; 6],
@@ -151,7 +152,7 @@ impl<R: Real> Kernel<R, 6, 8> for Samples {
 /// As for [`values`].
 #[allow(clippy::too_many_arguments)]
 #[inline(always)]
-fn samples<R: Real, B: Bxdf<R> + ?Sized>(
+fn samples<R: Real, B: Lobes<R> + ?Sized>(
     bxdf: &B,
     wo: [&Block<R>; 3],
     [uc, u, v]: [&Block<R>; 3],
@@ -200,7 +201,7 @@ pub(super) struct LobeSamples {
 
 impl<R: Real> Kernel<R, 5, 6> for LobeSamples {
     #[inline(always)]
-    fn block<B: Bxdf<R> + ?Sized>(
+    fn block<B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         [hx, hy, hz, u, v]: [&Block<R>; 5],
@@ -214,7 +215,7 @@ impl LobeSamples {
     /// As for [`values`].
     #[allow(clippy::too_many_arguments)]
     #[inline(always)]
-    fn weights<R: Real, B: Bxdf<R> + ?Sized>(
+    fn weights<R: Real, B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         held: [&Block<R>; 3],
@@ -236,7 +237,7 @@ impl LobeSamples {
     }
 
     #[inline(always)]
-    fn drawn<R: Real, B: Bxdf<R> + ?Sized>(
+    fn drawn<R: Real, B: Lobes<R> + ?Sized>(
         &self,
         bxdf: &B,
         held: Vec3<R>,

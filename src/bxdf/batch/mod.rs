@@ -12,168 +12,39 @@ use kernels::{
     BLOCK, Block, Densities, Kernel, LobeSamples, LobeValues, Samples, Values, ValuesAndDensities,
 };
 
-use super::Bxdf;
-use super::math::Real;
+use job::pairs;
+
+use crate::lobes::Lobes;
+use crate::math::Real;
 
 mod columns;
+mod job;
 mod kernels;
 
 pub use columns::Columns;
+pub use job::{Directions, Job, Path, TripleMut};
 
-/// Many directions: their components along s, t and n. The slices are of one length.
-pub type Directions<'a, R> = [&'a [R]; 3];
-
-/// Three slices to be written: the components of directions, or the channels of spectra.
-pub type TripleMut<'a, R> = [&'a mut [R]; 3];
-
-/// What to compute for each element of a batch.
+/// A scattering model as views and instruments use it: with its lobes, and whole arrays of directions at once.
+///
+/// A model of one's own has a loop of calls, which is what the default is:
 ///
 /// ```
-/// use bxdf::Material;
-/// use bxdf::batch::{Columns, Job, Path};
-///
-/// # fn main() -> bxdf::Result<()> {
-/// let gold = Material::open("gold")?.build::<f32>();
-/// let wo = Columns::repeated([0.0, 0.0, 1.0], 1000);
-/// let wi = Columns::from_rows((0..1000).map(|i| {
-///     let (sin, cos) = (i as f32 * 1e-3).sin_cos();
-///     [sin, 0.0, cos]
-/// }));
-/// let mut f = Columns::filled(0.0, 1000);
-/// gold.batch(Path::Dispatched, Job::F { wo: wo.slices(), wi: wi.slices(), f: f.slices_mut() });
-/// let [red, ..] = f.slices();
-/// assert!(red[0] > red[999]);
-/// # Ok(())
+/// # use bxdf::{Bxdf, Lobe, Lobes, Real, Sample, Scatterer, Spectrum, Vec3};
+/// # struct Mine;
+/// # impl<R: Real> Bxdf<R> for Mine {
+/// #     fn f(&self, _: Vec3<R>, _: Vec3<R>) -> Spectrum<R> { Spectrum::black() }
+/// #     fn pdf(&self, _: Vec3<R>, _: Vec3<R>) -> R { R::zero() }
+/// #     fn sample_f(&self, _: Vec3<R>, _: R, _: [R; 2]) -> Option<Sample<R>> { None }
 /// # }
+/// # impl<R: Real> Lobes<R> for Mine {}
+/// impl<R: Real> Scatterer<R> for Mine {}
+/// # let _: Box<dyn Scatterer<f64>> = Box::new(Mine);
 /// ```
-///
-/// All slices of a job are of one length; the shortest decides.
-#[derive(Debug)]
-pub enum Job<'a, R> {
-    /// The value f.
-    F {
-        /// The outgoing directions.
-        wo: Directions<'a, R>,
-        /// The incident directions.
-        wi: Directions<'a, R>,
-        /// In 1/sr.
-        f: TripleMut<'a, R>,
-    },
-    /// The density.
-    Pdf {
-        /// The outgoing directions.
-        wo: Directions<'a, R>,
-        /// The incident directions.
-        wi: Directions<'a, R>,
-        /// In 1/sr.
-        pdf: &'a mut [R],
-    },
-    /// Both.
-    FPdf {
-        /// The outgoing directions.
-        wo: Directions<'a, R>,
-        /// The incident directions.
-        wi: Directions<'a, R>,
-        /// In 1/sr.
-        f: TripleMut<'a, R>,
-        /// In 1/sr.
-        pdf: &'a mut [R],
-    },
-    /// The value of one lobe alone: [`Bxdf::lobe_f`].
-    LobeF {
-        /// The lobe: an index of [`Bxdf::lobes`].
-        index: usize,
-        /// The outgoing directions.
-        wo: Directions<'a, R>,
-        /// The incident directions.
-        wi: Directions<'a, R>,
-        /// In 1/sr.
-        f: TripleMut<'a, R>,
-    },
-    /// Samples, as [`Bxdf::sample_f`] draws them.
-    Sample {
-        /// The outgoing directions.
-        wo: Directions<'a, R>,
-        /// The numbers that choose among lobes, in [0, 1).
-        uc: &'a [R],
-        /// The numbers that choose a direction, in [0, 1).
-        u: [&'a [R]; 2],
-        /// The directions drawn; 0 where there is none.
-        wi: TripleMut<'a, R>,
-        /// In 1/sr; for a delta its weight over |cos(theta_i)|.
-        f: TripleMut<'a, R>,
-        /// In 1/sr, or the probability of a delta; 0 where there is no sample.
-        pdf: &'a mut [R],
-        /// 1 where the direction is that of a Dirac delta, else 0.
-        delta: &'a mut [R],
-    },
-    /// Directions of one lobe alone, as [`Bxdf::sample_lobe`] draws them, and what an integral over the lobe sums there.
-    Lobe {
-        /// The lobe: an index of [`Bxdf::lobes`].
-        index: usize,
-        /// Whether the directions held are those of incidence; the lobe is drawn for them in the place of `wo`.
-        is_incident: bool,
-        /// The directions held.
-        held: Directions<'a, R>,
-        /// The numbers that choose a direction, in [0, 1).
-        u: [&'a [R]; 2],
-        /// The directions drawn; 0 where there is none.
-        free: TripleMut<'a, R>,
-        /// The lobe's f |cos(theta)| / pdf, theta being that of the direction drawn; 0 where there is none.
-        weight: TripleMut<'a, R>,
-    },
-}
-
-impl<R> Job<'_, R> {
-    /// The number of elements: the length of the shortest slice.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        let shortest = |given: &[&[R]], out: &[&mut [R]]| {
-            let given = given.iter().map(|slice| slice.len());
-            let lengths = given.chain(out.iter().map(|slice| slice.len()));
-            lengths.min().unwrap_or(0)
-        };
-        match self {
-            Self::F { wo, wi, f } | Self::LobeF { wo, wi, f, .. } => shortest(&pairs(*wo, *wi), f),
-            Self::Pdf { wo, wi, pdf } => shortest(&pairs(*wo, *wi), &[]).min(pdf.len()),
-            Self::FPdf { wo, wi, f, pdf } => shortest(&pairs(*wo, *wi), f).min(pdf.len()),
-            Self::Sample {
-                wo: [x, y, z],
-                uc,
-                u: [u, v],
-                wi,
-                f,
-                pdf,
-                delta,
-            } => {
-                let written = shortest(&[], wi).min(shortest(&[], f));
-                let numbers = shortest(&[x, y, z, uc, u, v], &[]);
-                written.min(numbers).min(pdf.len()).min(delta.len())
-            }
-            Self::Lobe {
-                held: [x, y, z],
-                u: [u, v],
-                free,
-                weight,
-                ..
-            } => shortest(&[x, y, z, u, v], free).min(shortest(&[], weight)),
-        }
+pub trait Scatterer<R: Real>: Lobes<R> {
+    /// Computes `job` for a whole batch: the same results, element by element, in one call.
+    fn batch(&self, _path: Path, job: Job<'_, R>) {
+        plain(self, job);
     }
-
-    /// Whether there is nothing to compute.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-}
-
-/// For which instruction set a batch is compiled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Path {
-    /// The one every machine of its kind has.
-    Plain,
-    /// The best this machine has.
-    Dispatched,
 }
 
 /// The name of the instruction set that [`Path::Dispatched`] uses on this machine.
@@ -186,12 +57,12 @@ pub fn instruction_set() -> String {
 
 /// Computes `job` element by element, each by a call of its own: one loop for all models. For those whose own would not be
 /// faster: rare choices, precisions without wide registers, and formulas with functions that stay calls.
-pub(crate) fn one_by_one<R: Real>(bxdf: &dyn Bxdf<R>, job: Job<'_, R>) {
+pub(crate) fn one_by_one<R: Real>(bxdf: &dyn Lobes<R>, job: Job<'_, R>) {
     plain(bxdf, job);
 }
 
 /// Computes `job` as every machine of its kind can.
-pub(crate) fn plain<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
+pub(crate) fn plain<R: Real, B: Lobes<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
     if let Some(job) = work(bxdf, job) {
         work_on_lobe(bxdf, job);
     }
@@ -211,7 +82,7 @@ macro_rules! loops {
 
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             #[fearless_simd_macros::simd]
-            fn wide<S: fearless_simd::Simd, R: Real, B: $crate::Bxdf<R>>(
+            fn wide<S: fearless_simd::Simd, R: Real, B: $crate::Lobes<R>>(
                 _: S,
                 bxdf: &B,
                 job: Job<'_, R>,
@@ -220,7 +91,7 @@ macro_rules! loops {
             }
 
             #[inline(never)]
-            fn plain<R: Real, B: $crate::Bxdf<R>>(bxdf: &B, job: Job<'_, R>) {
+            fn plain<R: Real, B: $crate::Lobes<R>>(bxdf: &B, job: Job<'_, R>) {
                 batch::own(bxdf, job);
             }
 
@@ -248,7 +119,7 @@ pub(crate) use loops;
 
 /// What the loops of a model do themselves.
 #[inline(always)]
-pub(crate) fn own<R: Real, B: Bxdf<R>>(bxdf: &B, job: Job<'_, R>) {
+pub(crate) fn own<R: Real, B: Lobes<R>>(bxdf: &B, job: Job<'_, R>) {
     if let Some(job) = work(bxdf, job) {
         if R::LOBES_VECTORISE {
             work_on_lobe(bxdf, job);
@@ -260,7 +131,7 @@ pub(crate) fn own<R: Real, B: Bxdf<R>>(bxdf: &B, job: Job<'_, R>) {
 
 /// Does what is asked of the whole, and returns what is asked of one lobe.
 #[inline(always)]
-fn work<'a, R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'a, R>) -> Option<Job<'a, R>> {
+fn work<'a, R: Real, B: Lobes<R> + ?Sized>(bxdf: &B, job: Job<'a, R>) -> Option<Job<'a, R>> {
     match job {
         Job::F { wo, wi, f } => in_blocks(&Values, bxdf, pairs(wo, wi), f),
         Job::Pdf { wo, wi, pdf } => in_blocks(&Densities, bxdf, pairs(wo, wi), [pdf]),
@@ -290,7 +161,7 @@ fn work<'a, R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'a, R>) -> Option<J
 
 /// Does what is asked of one lobe.
 #[inline(always)]
-fn work_on_lobe<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
+fn work_on_lobe<R: Real, B: Lobes<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
     match job {
         Job::LobeF { index, wo, wi, f } => in_blocks(&LobeValues(index), bxdf, pairs(wo, wi), f),
         Job::Lobe {
@@ -310,10 +181,6 @@ fn work_on_lobe<R: Real, B: Bxdf<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
     }
 }
 
-fn pairs<'a, R>([ox, oy, oz]: Directions<'a, R>, [ix, iy, iz]: Directions<'a, R>) -> [&'a [R]; 6] {
-    [ox, oy, oz, ix, iy, iz]
-}
-
 /// Applies `kernel` for `bxdf` to `M` slices, block by block, and hands its results to the slices `out`.
 #[inline(always)]
 fn in_blocks<K, R, B, const M: usize, const N: usize>(
@@ -324,7 +191,7 @@ fn in_blocks<K, R, B, const M: usize, const N: usize>(
 ) where
     K: Kernel<R, M, N>,
     R: Real,
-    B: Bxdf<R> + ?Sized,
+    B: Lobes<R> + ?Sized,
 {
     let longest = given.iter().map(|slice| slice.len()).min().unwrap_or(0);
     let length = out

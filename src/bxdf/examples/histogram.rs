@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::frame::{self, direction_from_degrees};
-use bxdf::{Bxdf, Material, Result, Vec3};
+use bxdf::{Material, Result, Scatterer, Vec3};
 use glam::DVec3;
 
 fn main() -> Result<()> {
@@ -73,7 +73,7 @@ fn histogram(material: &Material) -> [Bin; 18] {
 }
 
 /// The directions drawn for `viewer`, all in one call: batches are several times as fast as single samples.
-fn drawn(surface: &dyn Bxdf<f32>, viewer: Vec3<f32>) -> Columns<f32, 3> {
+fn drawn(surface: &dyn Scatterer<f32>, viewer: Vec3<f32>) -> Columns<f32, 3> {
     let count = SIDE * SIDE;
     let middle = |i: usize| (i as f32 + 0.5) / SIDE as f32;
     let numbers = Columns::from_rows((0..count).map(|i| [middle(i % SIDE), middle(i / SIDE)]));

@@ -4,12 +4,15 @@
 pub mod cosine_power;
 pub mod gaussian_slopes;
 
-use super::batch::loops;
+use super::batch::{Scatterer, loops};
+use super::lobe::{Category, Lobe};
+use super::lobes::Lobes;
 use super::math::{Real, Vec3, warp};
 use super::microfacet::{Pair, evaluated_by_pair};
 use super::optics::Spectrum;
 use super::param::{ParamSet, ParamSpec, Scale};
-use super::{Bxdf, Category, Lobe, Sample, reflected_direction, sample_reflection};
+use super::sample::Sample;
+use super::scattering::{Bxdf, reflected_direction, sample_reflection};
 
 /// The lobes of a [`Mixture`], in its order.
 pub const LOBES: &[Lobe] = &[
@@ -116,8 +119,6 @@ impl<M> Mixture<M> {
 }
 
 impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
-
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
@@ -136,7 +137,9 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
             },
         )
     }
+}
 
+impl<R: Real, M: OverDiffuse<R>> Lobes<R> for Mixture<M> {
     fn lobes(&self) -> &[Lobe] {
         LOBES
     }
@@ -174,6 +177,10 @@ impl<R: Real, M: OverDiffuse<R>> Bxdf<R> for Mixture<M> {
             },
         )
     }
+}
+
+impl<R: Real, M: OverDiffuse<R>> Scatterer<R> for Mixture<M> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
 }
 
 #[cfg(test)]

@@ -4,12 +4,15 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crate::Bxdf;
+use crate::batch::Scatterer;
 use crate::catalogue::Catalogue;
 use crate::error::{Error, Result, shown};
 use crate::param::{ParamSet, ParamSpec, Value};
 use crate::spec::{ModelSpec, Precision, StandIn};
 use crate::table::Table;
+
+/// The most components a material may have.
+pub const MAX_COMPONENTS: usize = 8;
 
 /// The factor on all values of a component, as a parameter: files, sessions, sliders and the command line take the range from
 /// here.
@@ -136,7 +139,7 @@ impl Component {
 
     /// The model at its parameters as a scattering function in precision `R`, without the weight.
     #[must_use]
-    pub fn build<R: Precision>(&self) -> Box<dyn Bxdf<R>> {
+    pub fn build<R: Precision>(&self) -> Box<dyn Scatterer<R>> {
         self.model.build(&self.params)
     }
 

@@ -1,16 +1,11 @@
 //! The library: the materials of `materials`, by name, embedded in the program.
 
-use std::path::Path;
 use std::sync::LazyLock;
 
-use include_dir::{Dir, include_dir};
-
+use super::embedded::{files, id_of};
 use super::{Material, file};
 use crate::catalogue::Catalogue;
 use crate::error::{Error, Result, shown};
-
-/// The files. Their folder is the one list of them.
-static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/materials");
 
 static ALL: LazyLock<Vec<Named>> = LazyLock::new(|| {
     // A test reads every file: none is left out here.
@@ -47,11 +42,6 @@ pub struct Named {
 #[must_use]
 pub fn all() -> &'static [Named] {
     &ALL
-}
-
-/// The ids of the materials of the library: none of them is read for it.
-pub(crate) fn ids() -> impl Iterator<Item = &'static str> {
-    files().filter_map(id_of)
 }
 
 /// The material of the library with this id.
@@ -109,19 +99,6 @@ pub fn origin(material: &Material) -> Option<&'static Named> {
     all()
         .iter()
         .find(|named| named.material.name == material.name)
-}
-
-/// The files of materials: what stands beside them explains them.
-fn files() -> impl Iterator<Item = &'static include_dir::File<'static>> {
-    let is_material = |file: &&include_dir::File<'_>| {
-        let extension = file.path().extension();
-        extension.is_some_and(|extension| extension == "toml")
-    };
-    FILES.files().filter(is_material)
-}
-
-fn id_of(file: &'static include_dir::File<'static>) -> Option<&'static str> {
-    Path::file_stem(file.path()).and_then(|stem| stem.to_str())
 }
 
 fn named(file: &'static include_dir::File<'static>) -> Result<Named> {

@@ -1,11 +1,12 @@
 //! Samples of mixtures in batches: sorted by the component that each chooses, drawn by that component's own batch, and
 //! valued by all.
 
-use super::mixed_batch::{STRETCH, evaluate};
+use super::mixed_values::{STRETCH, evaluate};
 use super::mixture::Mixture;
 use crate::batch::{Columns, Job, Path};
+use crate::lobe::Side;
 use crate::math::{Real, Vec3};
-use crate::{Bxdf, Side};
+use crate::scattering::Bxdf;
 
 /// What samples are drawn by: the components of wo, the number that chooses, and two for the direction.
 pub(super) type Given<'a, S> = [&'a [S]; 6];

@@ -1,13 +1,13 @@
 //! The weighted sum of models, evaluated, drawn and integrated as one.
 
-use crate::batch::{Job, Path};
+use super::component::{Component, MAX_COMPONENTS};
+use crate::batch::Scatterer;
+use crate::lobe::{Lobe, Side};
+use crate::lobes::Lobes;
 use crate::math::{Real, Vec3};
 use crate::optics::Spectrum;
-use crate::spec::Lobe;
-use crate::{Bxdf, Delta, Deltas, Sample, Side};
-
-use super::mixed_batch::{run_mixture, weighed};
-use super::{Component, MAX_COMPONENTS};
+use crate::sample::{Delta, Deltas, Sample};
+use crate::scattering::Bxdf;
 
 /// Polar angles of the table of contributions: every 7.5 degrees from n to -n.
 const ELEVATIONS: usize = 25;
@@ -23,7 +23,7 @@ const LEAST_SHARE: f64 = 1e-3;
 /// A model with its weight, and which of all lobes are its own.
 pub(super) struct Part<R> {
     pub(super) weight: R,
-    pub(super) bxdf: Box<dyn Bxdf<R>>,
+    pub(super) bxdf: Box<dyn Scatterer<R>>,
     /// Its contribution to the radiance leaving along `wo` under uniform light, by the angle of `wo` from n.
     contributions: [f64; ELEVATIONS],
 }
@@ -43,7 +43,7 @@ impl<R: Real> Mixture<R> {
     /// The sum of `components`, each made by `build`.
     pub(super) fn new(
         components: &[Component],
-        build: impl Fn(&Component) -> Box<dyn Bxdf<R>>,
+        build: impl Fn(&Component) -> Box<dyn Scatterer<R>>,
     ) -> Self {
         let mut mixture = Self {
             parts: Vec::new(),
@@ -191,30 +191,6 @@ impl<R: Real> Bxdf<R> for Mixture<R> {
         sample.with_density()
     }
 
-    fn batch(&self, path: Path, job: Job<'_, R>) {
-        run_mixture(self, path, job);
-    }
-
-    fn lobes(&self) -> &[Lobe] {
-        &self.lobes
-    }
-
-    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
-        self.lobe(index).map_or(Spectrum::black(), |(part, inner)| {
-            part.bxdf.lobe_f(inner, wo, wi) * part.weight
-        })
-    }
-
-    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
-        self.lobe(index)
-            .map_or(R::zero(), |(part, inner)| part.bxdf.lobe_pdf(inner, wo, wi))
-    }
-
-    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
-        let (part, inner) = self.lobe(index)?;
-        part.bxdf.sample_lobe(inner, wo, u)
-    }
-
     fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
         let mut merged: Deltas<R> = [None, None];
         for (part, share) in self.parts.iter().zip(self.shares(w)) {
@@ -240,6 +216,38 @@ impl<R: Real> Bxdf<R> for Mixture<R> {
             }
         }
         merged
+    }
+}
+
+impl<R: Real> Lobes<R> for Mixture<R> {
+    fn lobes(&self) -> &[Lobe] {
+        &self.lobes
+    }
+
+    fn lobe_f(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
+        self.lobe(index).map_or(Spectrum::black(), |(part, inner)| {
+            part.bxdf.lobe_f(inner, wo, wi) * part.weight
+        })
+    }
+
+    fn lobe_pdf(&self, index: usize, wo: Vec3<R>, wi: Vec3<R>) -> R {
+        self.lobe(index)
+            .map_or(R::zero(), |(part, inner)| part.bxdf.lobe_pdf(inner, wo, wi))
+    }
+
+    fn sample_lobe(&self, index: usize, wo: Vec3<R>, u: [R; 2]) -> Option<Vec3<R>> {
+        let (part, inner) = self.lobe(index)?;
+        part.bxdf.sample_lobe(inner, wo, u)
+    }
+}
+
+/// `share` times `density`. A component that is never chosen may have an infinite density: 0 times it is no number.
+#[inline(always)]
+pub(super) fn weighed<R: Real>(share: R, density: R) -> R {
+    if share > R::zero() {
+        share * density
+    } else {
+        R::zero()
     }
 }
 

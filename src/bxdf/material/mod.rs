@@ -1,10 +1,12 @@
 //! Materials: weighted sums of models, by name, as text and as files.
 
 mod component;
+pub(crate) mod embedded;
 pub mod file;
 pub mod library;
 mod mixed_batch;
 mod mixed_samples;
+mod mixed_values;
 mod mixture;
 #[cfg(feature = "files")]
 mod open;
@@ -12,15 +14,13 @@ mod open;
 use std::fmt;
 use std::str::FromStr;
 
-use super::spec::{Category, ModelSpec, Precision};
-use super::{Bxdf, Side};
+use crate::batch::Scatterer;
 use crate::error::{Error, Result};
+use crate::lobe::{Category, Side};
+use crate::spec::{ModelSpec, Precision};
 
-pub use component::{Component, WEIGHT};
+pub use component::{Component, MAX_COMPONENTS, WEIGHT};
 use mixture::Mixture;
-
-/// The most components a material may have.
-pub const MAX_COMPONENTS: usize = 8;
 
 /// A weighted sum of models of the catalogue, at least one, with what is said of it.
 ///
@@ -146,7 +146,7 @@ impl Material {
     /// # }
     /// ```
     #[must_use]
-    pub fn build<R: Precision>(&self) -> Box<dyn Bxdf<R>> {
+    pub fn build<R: Precision>(&self) -> Box<dyn Scatterer<R>> {
         match self.only() {
             Some(only) => only.build(),
             None => Box::new(Mixture::new(&self.components, Component::build)),

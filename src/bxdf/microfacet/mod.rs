@@ -9,10 +9,12 @@ pub mod ggx;
 pub mod gtr1;
 mod lost_energy;
 pub mod multiple_scattering;
+mod normals;
 pub mod refraction;
 mod visible_slope;
 
-pub use distribution::{Distribution, Normals};
+pub use distribution::Distribution;
+pub use normals::Normals;
 
 use crate::both_above;
 use crate::math::{Real, Vec3};

@@ -16,7 +16,8 @@
 //! lobes lose much below the horizon: at exponents 1 and specular 1 a quarter is reflected at normal incidence, half at
 //! grazing; so do narrow ones (half) where the light comes within their width of the horizon.
 
-use super::*;
+use super::blinn_phong;
+use super::common::*;
 use crate::glossy::cosine_power::{azimuth, ln_cos_over_sin2, sample_about_z};
 use crate::glossy::{LOBES, Mixture, OverDiffuse, exponent, reflected, shares};
 use crate::microfacet::Pair;
@@ -103,7 +104,7 @@ struct AshikhminShirley<R> {
     peak: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let one = R::one();
     let specular = Spectrum::of(params.rgb("specular"));
     let (nx, ny) = (

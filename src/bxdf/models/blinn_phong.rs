@@ -12,7 +12,7 @@
 //! The glossy lobe darkens towards grazing incidence (the half vectors of a solid angle of `wi` become rarer), where real
 //! surfaces brighten. Sums of diffuse and specular above 1 create energy (declared below).
 
-use super::*;
+use super::common::*;
 use crate::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exceeds_one, exponent, reflected,
     shares,
@@ -63,7 +63,7 @@ struct BlinnPhong<R> {
     shares: [R; 2],
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let diffuse = Spectrum::of(params.rgb("diffuse"));
     let specular = Spectrum::of(params.rgb("specular"));
     let n = R::of(params.number("exponent"));

@@ -12,7 +12,8 @@
 //! times what it receives at grazing incidence (declared below). Samples follow the cosine: weights are up to
 //! 6.25 times the reflectance where both directions graze at roughness 1.
 
-use super::*;
+use super::common::*;
+use super::lambertian_reflection::LAMBERT;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::optics::fresnel::schlick_weight;
@@ -56,7 +57,7 @@ struct BurleyDiffuse<R> {
     roughness: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     Box::new(BurleyDiffuse {
         reflectance: Spectrum::of(params.rgb("reflectance")),
         roughness: R::of(params.number("roughness")),
@@ -64,8 +65,6 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
-    loops!(R, if true);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -95,10 +94,16 @@ impl<R: Real> Bxdf<R> for BurleyDiffuse<R> {
             |_| Some(warp::cosine_hemisphere(u)),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for BurleyDiffuse<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for BurleyDiffuse<R> {
+    loops!(R, if true);
 }
 
 #[cfg(test)]

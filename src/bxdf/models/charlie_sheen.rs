@@ -18,7 +18,7 @@
 //! reflectance at roughness .01, and 1.8 times at 1. Lambda is the exponential of up to 20, whose rounding shows
 //! twentyfold: errors reach 1.3 times their bound.
 
-use super::*;
+use super::common::*;
 use crate::math::warp;
 use crate::microfacet::half_vector;
 use crate::optics::Spectrum;
@@ -91,7 +91,7 @@ struct CharlieSheen<R> {
     ln_raised: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let reflectance = Spectrum::of(params.rgb("reflectance"));
     let roughness = R::of(params.number("roughness"));
     Box::new(CharlieSheen::new(reflectance, roughness))
@@ -170,8 +170,6 @@ impl<R: Real> CharlieSheen<R> {
 }
 
 impl<R: Real> Bxdf<R> for CharlieSheen<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -206,10 +204,16 @@ impl<R: Real> Bxdf<R> for CharlieSheen<R> {
             |_| Some(warp::uniform_hemisphere(u)),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for CharlieSheen<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for CharlieSheen<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
 }
 
 #[cfg(test)]

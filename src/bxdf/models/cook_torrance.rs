@@ -15,7 +15,8 @@
 //! G is exact for V-cavities: the normals seen sum to the area seen, so energy is kept (`heitz2014`); its crease is visible
 //! at grazing angles. f0 = 1 reflects all at every angle; f0 = 0 nothing, at every angle. m 1e-4..1.
 
-use super::*;
+use super::common::*;
+use super::rough_conductor;
 use crate::glossy::gaussian_slopes::GaussianSlopes;
 use crate::glossy::reflected;
 use crate::microfacet::{Pair, alpha, evaluated_by_pair};
@@ -68,7 +69,7 @@ struct CookTorrance<R> {
     slopes: GaussianSlopes<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let m = R::of(params.number("m"));
     Box::new(CookTorrance {
         f0: Spectrum::of(params.rgb("f0")),
@@ -132,8 +133,6 @@ impl<R: Real> CookTorrance<R> {
 }
 
 impl<R: Real> Bxdf<R> for CookTorrance<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
-
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
@@ -145,7 +144,9 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
             |wo| self.slopes.sample(u).map(|wh| reflected(wo, wh)),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for CookTorrance<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
@@ -158,6 +159,10 @@ impl<R: Real> Bxdf<R> for CookTorrance<R> {
             fresnel: self.f0.map(|f0| reflectance(cos_d, f0)),
         })
     }
+}
+
+impl<R: Real> Scatterer<R> for CookTorrance<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
 }
 
 #[cfg(test)]

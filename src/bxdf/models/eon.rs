@@ -15,7 +15,9 @@
 //! order of the reflectance, and grow as 1/mu where both directions graze towards the same side (the paper offers a sampler
 //! of its own against that, which this model does without).
 
-use super::*;
+use super::common::*;
+use super::lambertian_reflection::LAMBERT;
+use super::oren_nayar;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::ParamSet;
@@ -84,7 +86,7 @@ struct Eon<R> {
     multiple: Spectrum<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let (one, pi) = (R::one(), R::pi());
     let reflectance = Spectrum::of(params.rgb("reflectance"));
     let roughness = R::of(params.number("roughness"));
@@ -123,8 +125,6 @@ pub(crate) fn loss<R: Real>(w: Vec3<R>) -> R {
 }
 
 impl<R: Real> Bxdf<R> for Eon<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -155,10 +155,16 @@ impl<R: Real> Bxdf<R> for Eon<R> {
             |_| Some(warp::cosine_hemisphere(u)),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for Eon<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for Eon<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@
 //! Two Dirac deltas, chosen with the probability of their flux: `f` and `pdf` are 0. Total internal reflection leaves
 //! the mirror alone.
 
-use super::*;
+use super::common::*;
 use crate::delta_only::{DeltaLobes, DeltaOnly};
 use crate::optics::{Spectrum, fresnel};
 use crate::param::ParamSet;
@@ -42,7 +42,7 @@ struct FresnelSpecular<R> {
     eta: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     Box::new(DeltaOnly(FresnelSpecular {
         eta: R::of(params.number("eta")),
     }))

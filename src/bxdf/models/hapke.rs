@@ -18,7 +18,7 @@
 //! far from even, with uniform and cosine directions that follow mu_i / (mu_i + mu_o): weights stay bounded, the surge
 //! raising them by no more than 1 + B0.
 
-use super::*;
+use super::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::{ParamSet, Scale};
@@ -117,7 +117,7 @@ struct Hapke<R> {
     phase_share: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let albedo = Spectrum::of(params.rgb("single_scattering_albedo"));
     let asymmetry = R::of(params.number("asymmetry"));
     let r0 = albedo.map(|w| {
@@ -220,8 +220,6 @@ fn chords<R: Real>(wo: Vec3<R>, wi: Vec3<R>) -> (R, R) {
 }
 
 impl<R: Real> Bxdf<R> for Hapke<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -260,7 +258,9 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
             },
         )
     }
+}
 
+impl<R: Real> Lobes<R> for Hapke<R> {
     fn lobes(&self) -> &[Lobe] {
         LOBES
     }
@@ -299,6 +299,10 @@ impl<R: Real> Bxdf<R> for Hapke<R> {
             },
         )
     }
+}
+
+impl<R: Real> Scatterer<R> for Hapke<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@
 //! # Validity
 //! Exact for every direction and reflectance.
 
-use super::*;
+use super::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::ParamSet;
@@ -30,19 +30,27 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     stand_ins: &[],
 };
 
+/// What may replace a rough diffuse surface of [`REFLECTANCE`].
+pub(super) const LAMBERT: StandIn = StandIn {
+    name: "Lambert for the rough diffuse lobe",
+    lost: "The lobe is round: no brightening back towards the light, no change towards the horizon",
+    replace: |params| {
+        let reflectance = Value::Rgb(params.rgb("reflectance"));
+        SPEC.text_at(&[("reflectance", reflectance)])
+    },
+};
+
 struct LambertianReflection<R> {
     reflectance: Spectrum<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     Box::new(LambertianReflection {
         reflectance: Spectrum::of(params.rgb("reflectance")),
     })
 }
 
 impl<R: Real> Bxdf<R> for LambertianReflection<R> {
-    loops!(R, if true);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         match both_above(wo, wi) {
@@ -68,8 +76,14 @@ impl<R: Real> Bxdf<R> for LambertianReflection<R> {
             |_| Some(warp::cosine_hemisphere(u)),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for LambertianReflection<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for LambertianReflection<R> {
+    loops!(R, if true);
 }

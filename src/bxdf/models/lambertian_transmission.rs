@@ -9,7 +9,7 @@
 //! # Validity
 //! Exact for every direction and transmittance.
 
-use super::*;
+use super::common::*;
 use crate::are_across;
 use crate::math::warp;
 use crate::optics::Spectrum;
@@ -38,15 +38,13 @@ struct LambertianTransmission<R> {
     transmittance: Spectrum<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     Box::new(LambertianTransmission {
         transmittance: Spectrum::of(params.rgb("transmittance")),
     })
 }
 
 impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
-    loops!(R, if true);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         if are_across(wo, wi) {
@@ -80,8 +78,14 @@ impl<R: Real> Bxdf<R> for LambertianTransmission<R> {
             is_delta: false,
         })
     }
+}
 
+impl<R: Real> Lobes<R> for LambertianTransmission<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for LambertianTransmission<R> {
+    loops!(R, if true);
 }

@@ -4,6 +4,7 @@ mod ashikhmin_shirley;
 mod blinn_phong;
 mod burley_diffuse;
 mod charlie_sheen;
+mod common;
 mod cook_torrance;
 pub(crate) mod eon;
 mod fresnel_specular;
@@ -24,13 +25,7 @@ mod thin_dielectric;
 mod velvet;
 mod ward;
 
-use super::batch::loops;
-use super::math::{Real, Vec3};
-use super::param::{ParamSpec, Role, Value};
-use super::spec::{Category, Declaration, Law, Lobe, ModelSpec, Properties, Side, StandIn};
-use super::{Bxdf, Sample};
-use crate::builders;
-use crate::error::Result;
+use crate::spec::ModelSpec;
 
 /// Every model, in the order of the catalogue: grouped by category.
 pub static MODELS: [&ModelSpec; 23] = [
@@ -62,73 +57,11 @@ pub static MODELS: [&ModelSpec; 23] = [
 /// The model to begin with: its lobe shows at once what the direction of the light does.
 pub static START: &ModelSpec = &rough_conductor::SPEC;
 
-/// The reflectance of a diffuse or wholly reflecting surface.
-const REFLECTANCE: ParamSpec = ParamSpec::rgb(
-    "reflectance",
-    [0.8; 3],
-    "Share of the light that is reflected, per channel; black absorbs all",
-);
-
-/// What may replace a rough diffuse surface of [`REFLECTANCE`].
-const LAMBERT: StandIn = StandIn {
-    name: "Lambert for the rough diffuse lobe",
-    lost: "The lobe is round: no brightening back towards the light, no change towards the horizon",
-    replace: |params| {
-        let reflectance = Value::Rgb(params.rgb("reflectance"));
-        lambertian_reflection::SPEC.text_at(&[("reflectance", reflectance)])
-    },
-};
-
-/// The relative index of refraction of a dielectric below the surface.
-const DIELECTRIC_ETA: ParamSpec = ParamSpec::number(
-    "eta",
-    1.5,
-    "Index of refraction below the surface over the one above: 1.33 water, 1.5 glass, 2.42 diamond",
-)
-.role(Role::Index)
-.hard(DIELECTRIC_ETA_RANGE[0], DIELECTRIC_ETA_RANGE[1])
-.soft(1.0, 3.0);
-
-/// Hard range of a dielectric's relative index: beyond it no medium exists, and the formulas are not tested.
-const DIELECTRIC_ETA_RANGE: [f64; 2] = [0.25, 1000.0];
-
-/// The real part of a conductor's relative index: that of gold with the colour of its spectrum, as the material has it (a
-/// test holds both against the table of gold). Its red reflects everything, whatever its k.
-const CONDUCTOR_ETA: ParamSpec = ParamSpec::rgb(
-    "eta",
-    [0.0, 0.5032, 1.463],
-    "Index of refraction n of the metal, per channel",
-)
-.role(Role::Index)
-.hard(0.0, 1e4)
-.soft(0.0, 5.0);
-
-/// The imaginary part of a conductor's relative index.
-const CONDUCTOR_K: ParamSpec = ParamSpec::rgb(
-    "k",
-    [3.208, 2.268, 1.774],
-    "Absorption index k of the metal, per channel; larger means a more perfect mirror",
-)
-.role(Role::Absorption)
-.hard(0.0, 1e10)
-.soft(0.0, 10.0);
-
-/// Refuses eta = k = 0 in any channel: such a medium has no Fresnel reflectance.
-#[inline(always)]
-fn refuse_zero_index(params: &super::param::ParamSet) -> Result<()> {
-    let (eta, k) = (params.rgb("eta"), params.rgb("k"));
-    if eta.iter().zip(k).any(|(&n, k)| n == 0.0 && k == 0.0) {
-        return Err(params.error(
-            "eta",
-            "eta and k may not both be 0 in a channel: no medium has index 0",
-        ));
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lobe::Category;
+    use crate::math::Vec3;
 
     #[test]
     fn ids_are_unique_and_models_build_in_every_precision() {

@@ -13,7 +13,8 @@
 //! to 1.5 % more than it receives at grazing incidence, for sigma near 11 degrees (declared below). Where both
 //! directions graze, the value grows without bound, as published; it saturates at the largest number.
 
-use super::*;
+use super::common::*;
+use super::lambertian_reflection::LAMBERT;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::ParamSet;
@@ -57,7 +58,7 @@ struct OrenNayar<R> {
     b: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let sigma = R::of(params.number("sigma")) * R::pi() / R::of(180.0);
     let sigma2 = sigma * sigma;
     // The paper's decimals, formed in the precision of the model.
@@ -70,8 +71,6 @@ fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
 }
 
 impl<R: Real> Bxdf<R> for OrenNayar<R> {
-    loops!(R, if true);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -100,10 +99,16 @@ impl<R: Real> Bxdf<R> for OrenNayar<R> {
             |_| Some(warp::cosine_hemisphere(u)),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for OrenNayar<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for OrenNayar<R> {
+    loops!(R, if true);
 }
 
 #[cfg(test)]

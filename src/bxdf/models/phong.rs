@@ -13,7 +13,7 @@
 //! 60 degrees, next to nothing at grazing incidence, where real surfaces brighten); what falls below the horizon is lost.
 //! The authors require diffuse + specular <= 1; larger sums create energy (declared below).
 
-use super::*;
+use super::common::*;
 use crate::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exceeds_one, exponent, shares,
 };
@@ -62,7 +62,7 @@ struct Phong<R> {
     shares: [R; 2],
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let diffuse = Spectrum::of(params.rgb("diffuse"));
     let specular = Spectrum::of(params.rgb("specular"));
     Box::new(Mixture(Phong {

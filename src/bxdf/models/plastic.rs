@@ -18,7 +18,7 @@
 //! Both widths 0 make the coat a Dirac delta; else both are at least 1e-4. Where n < 1 the coat reflects totally from
 //! outside beyond the critical angle, and nothing reaches the ground.
 
-use super::*;
+use super::common::*;
 use crate::math::warp;
 use crate::microfacet::choices::with_choices;
 use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};
@@ -142,7 +142,7 @@ struct Plastic<R, N, I> {
     ground_albedo: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     with_choices!(R, params, |normals, interface| build_with(
         params, normals, interface
     ))
@@ -152,7 +152,7 @@ fn build_with<R: Real>(
     params: &ParamSet,
     normals: impl Normals<R>,
     interface: impl Interface<R>,
-) -> Box<dyn Bxdf<R>> {
+) -> Box<dyn Scatterer<R>> {
     let one = R::one();
     let eta = R::of(params.number("eta"));
     let diffuse_t = interface.diffuse_transmittance(eta);
@@ -231,8 +231,6 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Plastic<R, N, I> {
 }
 
 impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for Plastic<R, N, I> {
-    loops!(R, if Self::IS_WIDE);
-
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
@@ -253,6 +251,23 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for Plastic<R, N, I> {
         )
     }
 
+    #[inline(always)]
+    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
+        let reflectance = self.interface.along(w, self.index).reflectance;
+        let [share, _] = self.shares(w);
+        let mirror = Delta {
+            direction: w.mirrored_about_normal(),
+            flux: Spectrum::grey(reflectance),
+            weight: Spectrum::grey(reflectance),
+            probability: share,
+            side: Side::Reflection,
+        };
+        let is_there = self.coat.is_none() && w.z != R::zero() && reflectance > R::zero();
+        [is_there.then_some(mirror), None]
+    }
+}
+
+impl<R: Real, N: Normals<R>, I: Interface<R>> Lobes<R> for Plastic<R, N, I> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
@@ -301,21 +316,10 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for Plastic<R, N, I> {
             fresnel: Spectrum::grey(pair.dielectric(&self.interface, self.index).reflectance),
         })
     }
+}
 
-    #[inline(always)]
-    fn deltas(&self, w: Vec3<R>) -> Deltas<R> {
-        let reflectance = self.interface.along(w, self.index).reflectance;
-        let [share, _] = self.shares(w);
-        let mirror = Delta {
-            direction: w.mirrored_about_normal(),
-            flux: Spectrum::grey(reflectance),
-            weight: Spectrum::grey(reflectance),
-            probability: share,
-            side: Side::Reflection,
-        };
-        let is_there = self.coat.is_none() && w.z != R::zero() && reflectance > R::zero();
-        [is_there.then_some(mirror), None]
-    }
+impl<R: Real, N: Normals<R>, I: Interface<R>> Scatterer<R> for Plastic<R, N, I> {
+    loops!(R, if Self::IS_WIDE);
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@
 //! A fit to measured materials and to taste, not to energy: diffuse, sheen, specular and coat are simply added. At
 //! grazing incidence a rough white surface gives back 1.6 times the light (declared below).
 
-use super::*;
+use super::common::*;
 use crate::glossy::reflected;
 use crate::math::warp;
 use crate::microfacet::ggx::Ggx;
@@ -176,7 +176,7 @@ struct Principled<R> {
     coat_masking: Ggx<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let number = |name| R::of(params.number(name));
     let (zero, one) = (R::zero(), R::one());
     let base = Spectrum::<R>::of(params.rgb("base_color"));
@@ -286,8 +286,6 @@ impl<R: Real> Principled<R> {
 }
 
 impl<R: Real> Bxdf<R> for Principled<R> {
-    loops!(R, if true);
-
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
@@ -308,7 +306,9 @@ impl<R: Real> Bxdf<R> for Principled<R> {
             },
         )
     }
+}
 
+impl<R: Real> Lobes<R> for Principled<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
@@ -350,6 +350,10 @@ impl<R: Real> Bxdf<R> for Principled<R> {
             },
         )
     }
+}
+
+impl<R: Real> Scatterer<R> for Principled<R> {
+    loops!(R, if true);
 }
 
 #[cfg(test)]

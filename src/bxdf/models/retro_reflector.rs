@@ -12,7 +12,7 @@
 //! # Validity
 //! As `rough_conductor`: light lost to repeated facets, saturation where both directions graze.
 
-use super::*;
+use super::common::*;
 use crate::microfacet::ggx::Ggx;
 use crate::microfacet::{Masking, Normals, ONE_WIDTH, Pair, alpha, evaluated_by_pair};
 use crate::optics::Spectrum;
@@ -42,7 +42,7 @@ struct RetroReflector<R> {
     ggx: Ggx<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     Box::new(RetroReflector {
         reflectance: Spectrum::of(params.rgb("reflectance")),
         ggx: Ggx::new(
@@ -71,8 +71,6 @@ impl<R: Real> RetroReflector<R> {
 }
 
 impl<R: Real> Bxdf<R> for RetroReflector<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
-
     evaluated_by_pair!(Self::pair);
 
     #[inline(always)]
@@ -84,10 +82,16 @@ impl<R: Real> Bxdf<R> for RetroReflector<R> {
             |wo| Some(self.ggx.sample_reflection(wo, u)?.mirrored_about_normal()),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for RetroReflector<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for RetroReflector<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@
 
 use std::marker::PhantomData;
 
-use super::*;
+use super::common::*;
 use crate::math::warp;
 use crate::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
 use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};
@@ -183,7 +183,7 @@ struct RoughConductor<R, N, F, C> {
 
 /// The common choices become types, so that each is compiled by itself and its loops carry no choice. The rare ones, and all
 /// where loops gain nothing by it, share one.
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let spectrum = |name| Spectrum::of(params.rgb(name));
     let metal = Metal::new(spectrum("eta").0, spectrum("k").0);
     let fresnel = match params.choice("fresnel") {
@@ -230,7 +230,7 @@ fn own<R: Real, N: Normals<R>>(
     masking: Masking,
     fresnel: AnyFresnel<R>,
     metal: Option<Metal<R>>,
-) -> Option<Box<dyn Bxdf<R>>> {
+) -> Option<Box<dyn Scatterer<R>>> {
     if !N::VECTORISES {
         return None;
     }
@@ -254,7 +254,7 @@ fn boxed<R: Real>(
     masking: Masking,
     fresnel: impl FacetFresnel<R>,
     compensation: impl SeveralFacets<R>,
-) -> Box<dyn Bxdf<R>> {
+) -> Box<dyn Scatterer<R>> {
     Box::new(RoughConductor {
         normals,
         masking,
@@ -314,8 +314,6 @@ where
     F: FacetFresnel<R>,
     C: SeveralFacets<R>,
 {
-    loops!(R, if Self::IS_WIDE);
-
     evaluated_by_pair!(Pair::above);
 
     #[inline(always)]
@@ -330,7 +328,15 @@ where
             },
         )
     }
+}
 
+impl<R, N, F, C> Lobes<R> for RoughConductor<R, N, F, C>
+where
+    R: Real,
+    N: Normals<R>,
+    F: FacetFresnel<R>,
+    C: SeveralFacets<R>,
+{
     fn lobes(&self) -> &[Lobe] {
         if self.compensation.has_lobe() {
             COMPENSATED
@@ -381,6 +387,16 @@ where
             fresnel: self.fresnel_at(&pair),
         })
     }
+}
+
+impl<R, N, F, C> Scatterer<R> for RoughConductor<R, N, F, C>
+where
+    R: Real,
+    N: Normals<R>,
+    F: FacetFresnel<R>,
+    C: SeveralFacets<R>,
+{
+    loops!(R, if Self::IS_WIDE);
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@
 //! straight on as a delta. Close to 1 the transmitted lobe narrows to (eta - 1) alpha, below what f32 resolves of a
 //! direction where that is under 1e-7.
 
-use super::*;
+use super::common::*;
 use crate::delta_only::{DeltaOnly, Unscattered};
 use crate::microfacet::choices::with_choices;
 use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};
@@ -75,7 +75,7 @@ struct RoughDielectric<R, N, I> {
     interface: I,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     if R::of(params.number("eta")) == R::one() {
         return Box::new(DeltaOnly(Unscattered));
     }
@@ -88,7 +88,7 @@ fn build_with<R: Real>(
     params: &ParamSet,
     normals: impl Normals<R>,
     interface: impl Interface<R>,
-) -> Box<dyn Bxdf<R>> {
+) -> Box<dyn Scatterer<R>> {
     let from_above = RelativeIndex::new(R::of(params.number("eta")));
     Box::new(RoughDielectric {
         indices: [from_above, from_above.inverse()],
@@ -198,8 +198,6 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> RoughDielectric<R, N, I> {
 }
 
 impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for RoughDielectric<R, N, I> {
-    loops!(R, if Self::IS_WIDE);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         self.value_of(self.facet(wo, wi))
@@ -232,7 +230,9 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for RoughDielectric<R, N, 
         // At the edge of total reflection the way back from wi to its facet may fail by a rounding.
         self.sample_at(wo, wi)
     }
+}
 
+impl<R: Real, N: Normals<R>, I: Interface<R>> Lobes<R> for RoughDielectric<R, N, I> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
@@ -270,12 +270,16 @@ impl<R: Real, N: Normals<R>, I: Interface<R>> Bxdf<R> for RoughDielectric<R, N, 
     }
 }
 
+impl<R: Real, N: Normals<R>, I: Interface<R>> Scatterer<R> for RoughDielectric<R, N, I> {
+    loops!(R, if Self::IS_WIDE);
+}
+
 #[cfg(test)]
 mod tests {
     use crate::math::Vec3;
-    use crate::{Bxdf, Material};
+    use crate::{Material, Scatterer};
 
-    fn glass(parameters: &str) -> Box<dyn Bxdf<f64>> {
+    fn glass(parameters: &str) -> Box<dyn Scatterer<f64>> {
         format!("rough_dielectric:{parameters}")
             .parse::<Material>()
             .unwrap()

@@ -10,7 +10,7 @@
 //! A Dirac delta: `f` and `pdf` are 0, the lobe is what [`Bxdf::deltas`] and [`Bxdf::sample_f`] return. A dielectric's
 //! transmitted light is dropped (it counts as absorbed); `fresnel_specular` keeps it.
 
-use super::*;
+use super::common::*;
 use crate::delta_only::{DeltaLobes, DeltaOnly};
 use crate::optics::{Spectrum, conductor, fresnel};
 use crate::param::ParamSet;
@@ -84,7 +84,7 @@ struct SpecularReflection<R> {
     fresnel: Fresnel<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let eta = Spectrum::of(params.rgb("eta"));
     let fresnel = match params.choice("fresnel") {
         "dielectric" => Fresnel::Dielectric(eta),

@@ -10,7 +10,7 @@
 //! A Dirac delta: `f` and `pdf` are 0. No sample at total internal reflection. At grazing incidence a true interface
 //! transmits nothing, this one still does.
 
-use super::*;
+use super::common::*;
 use crate::delta_only::{DeltaLobes, DeltaOnly};
 use crate::optics::{Spectrum, fresnel};
 use crate::param::ParamSet;
@@ -46,7 +46,7 @@ struct SpecularTransmission<R> {
     eta: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     Box::new(DeltaOnly(SpecularTransmission {
         transmittance: Spectrum::of(params.rgb("transmittance")),
         eta: R::of(params.number("eta")),

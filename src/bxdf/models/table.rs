@@ -13,7 +13,7 @@
 
 use std::sync::Arc;
 
-use super::*;
+use super::common::*;
 use crate::math::warp;
 use crate::microfacet::ggx::Ggx;
 use crate::microfacet::{Normals, Pair, evaluated_by_pair};
@@ -55,7 +55,7 @@ struct Baked<R> {
     normals: Ggx<R>,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let table = params
         .table()
         .map_or_else(|| Arc::new(Table::even(EVEN)), Arc::clone);
@@ -79,8 +79,6 @@ impl<R: Real> Baked<R> {
 }
 
 impl<R: Real> Bxdf<R> for Baked<R> {
-    loops!(R, if false);
-
     evaluated_by_pair!(Pair::above);
 
     fn sample_f(&self, wo: Vec3<R>, _uc: R, [u, v]: [R; 2]) -> Option<Sample<R>> {
@@ -94,8 +92,14 @@ impl<R: Real> Bxdf<R> for Baked<R> {
             }
         })
     }
+}
 
+impl<R: Real> Lobes<R> for Baked<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
+}
+
+impl<R: Real> Scatterer<R> for Baked<R> {
+    loops!(R, if false);
 }

@@ -14,7 +14,7 @@
 //! mu_i mu_o) is the harmonic mean of 1 and mu_i with weights 1 - mu_o and mu_o, the density is in proportion to their
 //! arithmetic mean, and the distribution at most 5 / (pi (1 + 4 alpha^2)): no weight exceeds 2.5 times the reflectance.
 
-use super::*;
+use super::common::*;
 use crate::math::warp;
 use crate::microfacet::half_vector;
 use crate::optics::Spectrum;
@@ -57,7 +57,7 @@ struct Velvet<R> {
     alpha: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     Box::new(Velvet {
         reflectance: Spectrum::of(params.rgb("reflectance")),
         alpha: R::of(params.number("alpha")),
@@ -89,8 +89,6 @@ impl<R: Real> Velvet<R> {
 }
 
 impl<R: Real> Bxdf<R> for Velvet<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
-
     #[inline(always)]
     fn f(&self, wo: Vec3<R>, wi: Vec3<R>) -> Spectrum<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
@@ -120,7 +118,9 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
             |wo| Some(warp::mixed_hemisphere(Self::cosine_share(wo.z), uc, u)),
         )
     }
+}
 
+impl<R: Real> Lobes<R> for Velvet<R> {
     fn lobes(&self) -> &[Lobe] {
         SPEC.lobes
     }
@@ -141,6 +141,10 @@ impl<R: Real> Bxdf<R> for Velvet<R> {
             |_| Some(warp::uniform_hemisphere(u)),
         )
     }
+}
+
+impl<R: Real> Scatterer<R> for Velvet<R> {
+    loops!(R, if R::FUNCTIONS_VECTORISE);
 }
 
 #[cfg(test)]

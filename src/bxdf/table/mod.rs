@@ -17,8 +17,7 @@ mod coordinates;
 mod shape;
 mod text;
 
-use crate::Bxdf;
-use crate::batch::{Columns, Job, Path};
+use crate::batch::{Columns, Job, Path, Scatterer};
 use crate::error::Result;
 use crate::math::{Real, Vec3};
 use crate::optics::Spectrum;
@@ -73,7 +72,7 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Limit`](crate::error::Error::Limit) where the table would take more: then nothing is allocated.
-    pub fn bake(bxdf: &dyn Bxdf<f64>, shape: Shape, max_bytes: u64) -> Result<Self> {
+    pub fn bake(bxdf: &dyn Scatterer<f64>, shape: Shape, max_bytes: u64) -> Result<Self> {
         shape.within(max_bytes)?;
         let pairs: Vec<_> = shape.places().map(|place| place.directions()).collect();
         let wo = Columns::from_rows(pairs.iter().map(|(wo, _)| [wo.x, wo.y, wo.z]));

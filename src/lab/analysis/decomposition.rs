@@ -151,11 +151,11 @@ mod tests {
     use super::*;
     use crate::analysis::Hold;
     use bxdf::math::frame::direction_from_degrees;
-    use bxdf::{Bxdf, Material};
+    use bxdf::{Material, Scatterer};
 
     const HELD_DEG: f64 = 50.0;
 
-    fn found(text: &str, with_cosine: bool) -> (Box<dyn Bxdf<f64>>, Decomposition) {
+    fn found(text: &str, with_cosine: bool) -> (Box<dyn Scatterer<f64>>, Decomposition) {
         let surface = text.parse::<Material>().unwrap().build();
         let lobe = HeldLobe::new(
             &*surface,

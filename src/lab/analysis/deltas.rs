@@ -107,13 +107,13 @@ mod tests {
     use super::*;
     use crate::analysis::Hold;
     use bxdf::math::frame::direction_from_degrees;
-    use bxdf::{Bxdf, Material};
+    use bxdf::{Material, Scatterer};
 
-    fn surface(text: &str) -> Box<dyn Bxdf<f64>> {
+    fn surface(text: &str) -> Box<dyn Scatterer<f64>> {
         text.parse::<Material>().unwrap().build()
     }
 
-    fn lobe(surface: &dyn Bxdf<f64>) -> HeldLobe<'_> {
+    fn lobe(surface: &dyn Scatterer<f64>) -> HeldLobe<'_> {
         HeldLobe::new(surface, Hold::Light, direction_from_degrees(50.0, 180.0))
     }
 
@@ -157,7 +157,7 @@ mod tests {
             surface("specular_reflection:reflectance=0.4"),
         );
         let diffuse = surface("lambertian_reflection");
-        let against = |own: &dyn Bxdf<f64>, other: &dyn Bxdf<f64>| {
+        let against = |own: &dyn Scatterer<f64>, other: &dyn Scatterer<f64>| {
             let subject = Subject {
                 against: Some(lobe(other)),
                 ..Subject::of(lobe(own))

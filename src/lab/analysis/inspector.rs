@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::HeldLobe;
 use super::lobe::Arrow;
 use bxdf::math::frame;
-use bxdf::{Bxdf, Microfacet, Side};
+use bxdf::{Microfacet, Scatterer, Side};
 
 /// What a surface does at a pair of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,7 @@ pub struct Reading {
 impl Reading {
     /// That of `bxdf` at the unit vectors `wo` and `wi`.
     #[must_use]
-    pub fn of(bxdf: &dyn Bxdf<f64>, wo: DVec3, wi: DVec3) -> Self {
+    pub fn of(bxdf: &dyn Scatterer<f64>, wo: DVec3, wi: DVec3) -> Self {
         let f = bxdf.f(wo.into(), wi.into()).to_f64();
         Self {
             f,

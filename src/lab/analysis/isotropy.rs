@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use bxdf::math::frame::{direction_from_degrees, turned_about_normal};
-use bxdf::{Bxdf, Delta};
+use bxdf::{Delta, Scatterer};
 
 /// A lobe that changes by less counts as isotropic. Turning a direction moves it by a unit round-off, which the
 /// narrowest lobe (alpha 1e-4, measured 7e-12) and powers of 1e4 magnify by far less than this.
@@ -23,14 +23,14 @@ const SAMPLES_PER_SIDE: u32 = 5;
 
 /// Whether f and the deltas of `bxdf` are the same, but for rounding, when both directions turn about the normal.
 #[must_use]
-pub fn measured(bxdf: &dyn Bxdf<f64>) -> bool {
+pub fn measured(bxdf: &dyn Scatterer<f64>) -> bool {
     largest_deviation(bxdf) < MAX_DEVIATION
 }
 
 /// The largest relative change of f, or of the weight, flux or direction of a delta, over a set of pairs of directions
 /// and turns, 0 to 1. The pairs are the model's own samples, so that they meet narrow lobes.
 #[must_use]
-pub fn largest_deviation(bxdf: &dyn Bxdf<f64>) -> f64 {
+pub fn largest_deviation(bxdf: &dyn Scatterer<f64>) -> f64 {
     largest_change(bxdf).deviation
 }
 
@@ -58,7 +58,7 @@ impl Change {
 
 /// The change that [`largest_deviation`] measures, and where it is.
 #[must_use]
-pub fn largest_change(bxdf: &dyn Bxdf<f64>) -> Change {
+pub fn largest_change(bxdf: &dyn Scatterer<f64>) -> Change {
     let mut largest = Change::default();
     for (theta_deg, phi_deg) in pairs(THETAS_DEG, PHIS_DEG) {
         let wo = direction_from_degrees(theta_deg, phi_deg);
@@ -75,7 +75,7 @@ pub fn largest_change(bxdf: &dyn Bxdf<f64>) -> Change {
 }
 
 /// Directions `wi` where the lobe of `wo` is.
-fn partners(bxdf: &dyn Bxdf<f64>, wo: DVec3) -> Vec<DVec3> {
+fn partners(bxdf: &dyn Scatterer<f64>, wo: DVec3) -> Vec<DVec3> {
     let u: [f64; SAMPLES_PER_SIDE as usize] =
         std::array::from_fn(|i| (i as f64 + 0.5) / f64::from(SAMPLES_PER_SIDE));
     pairs(u, u)
@@ -93,14 +93,14 @@ fn pairs<const N: usize, const M: usize>(
     a.into_iter().flat_map(move |x| b.map(|y| (x, y)))
 }
 
-fn value_deviation(bxdf: &dyn Bxdf<f64>, wo: DVec3, wi: DVec3, turn: f64) -> f64 {
+fn value_deviation(bxdf: &dyn Scatterer<f64>, wo: DVec3, wi: DVec3, turn: f64) -> f64 {
     let turned = |w: DVec3| turned_about_normal(w, turn).into();
     let before = bxdf.f(wo.into(), wi.into()).to_f64();
     let after = bxdf.f(turned(wo), turned(wi)).to_f64();
     spectral_deviation(before, after)
 }
 
-fn delta_deviation(bxdf: &dyn Bxdf<f64>, w: DVec3, turn: f64) -> f64 {
+fn delta_deviation(bxdf: &dyn Scatterer<f64>, w: DVec3, turn: f64) -> f64 {
     let before = bxdf.deltas(w.into());
     let after = bxdf.deltas(turned_about_normal(w, turn).into());
     let deviation =
@@ -140,6 +140,7 @@ mod tests {
     use bxdf::math::Vec3;
     use bxdf::models::MODELS;
     use bxdf::optics::Spectrum;
+    use bxdf::{Bxdf, Lobes};
     use bxdf::{Deltas, Material, Sample};
 
     fn deviation(material: &str) -> f64 {
@@ -206,6 +207,10 @@ mod tests {
             [Some(delta), None]
         }
     }
+
+    impl Lobes<f64> for StripedMirror {}
+
+    impl Scatterer<f64> for StripedMirror {}
 
     #[test]
     fn deltas_are_compared_too() {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::chart::Chart;
 use super::quadrature::{Integral, Integrand, race};
 use bxdf::batch::{Columns, Job, Path};
-use bxdf::{Bxdf, Lobe, Side};
+use bxdf::{Lobe, Scatterer, Side};
 
 /// Which of the two directions is held while the lobe is drawn over the other.
 #[derive(
@@ -32,7 +32,7 @@ pub const HORIZON_LIFT: f64 = 1e-6;
 /// A surface with one direction held, in the fixed frame.
 #[derive(Clone, Copy)]
 pub struct HeldLobe<'a> {
-    bxdf: &'a dyn Bxdf<f64>,
+    bxdf: &'a dyn Scatterer<f64>,
     hold: Hold,
     held: DVec3,
 }
@@ -55,13 +55,13 @@ pub struct Arrow {
 impl<'a> HeldLobe<'a> {
     /// The lobe of `bxdf` with the unit vector `held` held.
     #[must_use]
-    pub fn new(bxdf: &'a dyn Bxdf<f64>, hold: Hold, held: DVec3) -> Self {
+    pub fn new(bxdf: &'a dyn Scatterer<f64>, hold: Hold, held: DVec3) -> Self {
         Self { bxdf, hold, held }
     }
 
     /// The surface.
     #[must_use]
-    pub fn surface(&self) -> &'a dyn Bxdf<f64> {
+    pub fn surface(&self) -> &'a dyn Scatterer<f64> {
         self.bxdf
     }
 
@@ -279,7 +279,7 @@ pub fn off_horizon(w: DVec3, is_upper: bool) -> DVec3 {
 
 /// f of `bxdf` in 1/sr at all `pairs` of unit vectors (wo, wi).
 #[must_use]
-pub fn pair_values(bxdf: &dyn Bxdf<f64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
+pub fn pair_values(bxdf: &dyn Scatterer<f64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
     let wo = components(pairs.iter().map(|pair| pair.0));
     let wi = components(pairs.iter().map(|pair| pair.1));
     let mut values = Columns::filled(0.0, pairs.len());

@@ -162,7 +162,7 @@ mod tests {
     use super::*;
     use crate::analysis::Hold;
     use bxdf::math::frame::direction_from_degrees;
-    use bxdf::{Bxdf, Material};
+    use bxdf::{Material, Scatterer};
 
     fn request(phi_deg: f64) -> Request {
         Request {
@@ -196,7 +196,7 @@ mod tests {
 
     fn section_peak_ratio(material: &str, theta_deg: f64, phi_deg: f64) -> (f64, usize) {
         let material: Material = material.parse().unwrap();
-        let model: Box<dyn Bxdf<f64>> = material.build();
+        let model: Box<dyn Scatterer<f64>> = material.build();
         let lobe = HeldLobe::new(
             &*model,
             Hold::Light,
@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn the_mirror_direction_stands_where_it_should() {
         let material: Material = "rough_conductor:alpha=0.001".parse().unwrap();
-        let model: Box<dyn Bxdf<f64>> = material.build();
+        let model: Box<dyn Scatterer<f64>> = material.build();
         let lobe = HeldLobe::new(&*model, Hold::Light, direction_from_degrees(60.0, 0.0));
         let section = section(&lobe, &request(0.0));
         let top = section
@@ -264,7 +264,7 @@ mod tests {
     #[test]
     fn arcs_end_at_the_horizon_and_stay_on_their_side() {
         let material: Material = "lambertian_transmission".parse().unwrap();
-        let model: Box<dyn Bxdf<f64>> = material.build();
+        let model: Box<dyn Scatterer<f64>> = material.build();
         let lobe = HeldLobe::new(&*model, Hold::Light, direction_from_degrees(30.0, 0.0));
         let section = section(&lobe, &request(0.0));
         assert!(section.upper.is_empty());

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::Raster;
 use super::sphere::{Disc, scene::Scene};
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 
 /// Where the light stands: x to the right, y up, z to the viewer. Not quite a unit vector.
 const LIGHT: DVec3 = DVec3::new(-0.48, 0.60, 0.64);
@@ -20,7 +20,7 @@ pub type Picture = Raster<[f64; 4]>;
 
 /// The picture of a sphere of `bxdf`, `side` pixels wide; `relative_index`: that below the surface over that above.
 #[must_use]
-pub fn sphere(bxdf: &dyn Bxdf<f64>, relative_index: f64, side: usize) -> Picture {
+pub fn sphere(bxdf: &dyn Scatterer<f64>, relative_index: f64, side: usize) -> Picture {
     let scene = Scene::new(bxdf, relative_index, LIGHT, SAMPLES);
     let disc = Disc { side };
     let pixel = |index: usize| {

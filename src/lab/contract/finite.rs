@@ -8,7 +8,7 @@ use super::tally::Tallies;
 use crate::analysis::statistics::Random;
 use crate::stability::{is_good, is_good_number, is_unit};
 use crate::subject::{Subject, Witness};
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::math::frame::cos_sin_deg;
 use bxdf::math::{Real, Vec3};
 
@@ -28,7 +28,12 @@ pub(super) fn finite(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
     finite_in(subject, &*subject.reference, plan, tallies);
 }
 
-fn finite_in<R: Real>(subject: &Subject, bxdf: &dyn Bxdf<R>, plan: &Plan, tallies: &mut Tallies) {
+fn finite_in<R: Real>(
+    subject: &Subject,
+    bxdf: &dyn Scatterer<R>,
+    plan: &Plan,
+    tallies: &mut Tallies,
+) {
     let given: Vec<Vec3<R>> = COSINES
         .into_iter()
         .flat_map(|cos| [direction(cos, 0.0), -direction(cos, 0.0)])
@@ -73,7 +78,7 @@ fn in_double<R: Real>(w: Vec3<R>) -> DVec3 {
 
 fn samples_are_finite<R: Real>(
     subject: &Subject,
-    bxdf: &dyn Bxdf<R>,
+    bxdf: &dyn Scatterer<R>,
     wo: Vec3<R>,
     tallies: &mut Tallies,
 ) {

@@ -9,7 +9,7 @@ use super::pointwise::pairs;
 use super::tally::Tallies;
 use crate::rounding::{Quantity, is_subnormal, quantities, relative_difference, rounding_bound};
 use crate::subject::Subject;
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::math::{Real, Vec3};
 
 /// Both precisions keep the stability law, at grazing directions too.
@@ -24,7 +24,7 @@ pub(super) fn precision(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
 
 fn compare<R: Real>(
     subject: &Subject,
-    (tested, reference): (&dyn Bxdf<R>, &dyn Bxdf<Df64>),
+    (tested, reference): (&dyn Scatterer<R>, &dyn Scatterer<Df64>),
     (wo, wi): (DVec3, DVec3),
     tallies: &mut Tallies,
 ) {

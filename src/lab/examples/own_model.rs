@@ -2,8 +2,8 @@
 
 use bxdf::math::warp;
 use bxdf::{
-    Bxdf, Catalogue, Category, Lobe, Material, ModelSpec, ParamSet, ParamSpec, Properties, Real,
-    Result, Sample, Spectrum, Vec3, both_above, builders, sample_reflection,
+    Bxdf, Catalogue, Category, Lobe, Lobes, Material, ModelSpec, ParamSet, ParamSpec, Properties,
+    Real, Result, Sample, Scatterer, Spectrum, Vec3, both_above, builders, sample_reflection,
 };
 use bxdf_lab::contract::{Effort, check};
 
@@ -35,7 +35,7 @@ struct Minnaert<R> {
     exponent: R,
 }
 
-fn build<R: Real>(params: &ParamSet) -> Box<dyn Bxdf<R>> {
+fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let k = R::of(params.number("k"));
     let scale = (k + R::one()) * R::of(0.5) * R::frac_1_pi();
     Box::new(Minnaert {
@@ -59,11 +59,15 @@ impl<R: Real> Bxdf<R> for Minnaert<R> {
     fn sample_f(&self, wo: Vec3<R>, _uc: R, u: [R; 2]) -> Option<Sample<R>> {
         sample_reflection(self, wo, |_| Some(warp::cosine_hemisphere(u)))
     }
+}
 
+impl<R: Real> Lobes<R> for Minnaert<R> {
     fn lobes(&self) -> &[Lobe] {
         MINNAERT.lobes
     }
 }
+
+impl<R: Real> Scatterer<R> for Minnaert<R> {}
 
 fn main() -> Result<()> {
     // Before anything else: from here on texts, lists and laws know it.

@@ -6,11 +6,11 @@ use super::parameters::random_set;
 use super::samples::is_unit;
 use super::tally::{Finding, Tally};
 use crate::analysis::statistics::Random;
+use bxdf::Precision;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::{Real, Vec3};
 use bxdf::param::ParamSet;
-use bxdf::spec::Precision;
-use bxdf::{Bxdf, ModelSpec};
+use bxdf::{ModelSpec, Scatterer};
 use glam::DVec3;
 
 /// Points at one set of parameters: a batch.
@@ -54,7 +54,7 @@ fn in_precision<R: Precision>(
     points: &[Point],
     tally: &mut Tally,
 ) {
-    let bxdf: Box<dyn Bxdf<R>> = model.build(params);
+    let bxdf: Box<dyn Scatterer<R>> = model.build(params);
     let column = |of: fn(&Point) -> DVec3| {
         Columns::from_rows(points.iter().map(|point| of(point).to_array().map(R::of)))
     };

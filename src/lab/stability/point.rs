@@ -11,15 +11,15 @@ use crate::rounding::{
     stability_bound,
 };
 use crate::subject::Subject;
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::math::{Real, Vec3};
 
 /// A precision with the models of a subject in it.
 pub(super) struct Tested<'a, R: Real> {
     pub(super) subject: &'a Subject,
-    pub(super) model: &'a dyn Bxdf<R>,
+    pub(super) model: &'a dyn Scatterer<R>,
     /// At the parameters as `R` has them.
-    pub(super) exact: &'a dyn Bxdf<Df64>,
+    pub(super) exact: &'a dyn Scatterer<Df64>,
 }
 
 /// `subject` in f32.

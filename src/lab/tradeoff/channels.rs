@@ -9,7 +9,7 @@ use super::study::{Stop, Study};
 use crate::spectral::{Constants, FINEST, RANGE_NM, rgb_weights};
 use bxdf::batch::{Columns, Path};
 use bxdf::param::{Kind, Role, Value};
-use bxdf::{Bxdf, Component, Material, Precision};
+use bxdf::{Component, Material, Precision, Scatterer};
 
 /// How many wavelengths are tried.
 const COUNTS: [usize; 3] = [8, 16, 31];
@@ -124,7 +124,7 @@ struct Spectral<R> {
 
 /// Three wavelengths.
 struct Part<R> {
-    bxdf: Box<dyn Bxdf<R>>,
+    bxdf: Box<dyn Scatterer<R>>,
     /// What the value at each adds to R, G and B.
     weights: [[f64; 3]; 3],
 }

@@ -11,7 +11,7 @@ use super::study::{Stop, Study};
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::internals::Libm;
 use bxdf::math::Real;
-use bxdf::{Bxdf, Precision};
+use bxdf::{Precision, Scatterer};
 
 /// The family.
 pub(super) struct Precisions;
@@ -95,11 +95,11 @@ impl Family for Precisions {
 /// Pairs at which the slow reference is timed.
 const TIMED_PAIRS: usize = 512;
 
-fn value(bxdf: &dyn Bxdf<Df64>, (wo, wi): &(DVec3, DVec3)) -> [f64; 3] {
+fn value(bxdf: &dyn Scatterer<Df64>, (wo, wi): &(DVec3, DVec3)) -> [f64; 3] {
     bxdf.f((*wo).into(), (*wi).into()).to_f64()
 }
 
-fn pair_by_pair(bxdf: &dyn Bxdf<Df64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
+fn pair_by_pair(bxdf: &dyn Scatterer<Df64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
     pairs.par_iter().map(|pair| value(bxdf, pair)).collect()
 }
 
@@ -124,7 +124,7 @@ impl<R: Precision> Batch<R> {
     }
 
     /// Evaluates f of all pairs.
-    pub(super) fn run(&mut self, bxdf: &dyn Bxdf<R>, path: Path) {
+    pub(super) fn run(&mut self, bxdf: &dyn Scatterer<R>, path: Path) {
         let job = Job::F {
             wo: self.wo.slices(),
             wi: self.wi.slices(),
@@ -142,7 +142,7 @@ impl<R: Precision> Batch<R> {
 
 /// f of `bxdf` in 1/sr at `pairs`, evaluated in `R`.
 pub(super) fn values_in<R: Precision>(
-    bxdf: &dyn Bxdf<R>,
+    bxdf: &dyn Scatterer<R>,
     path: Path,
     pairs: &[(DVec3, DVec3)],
 ) -> Vec<[f64; 3]> {

@@ -8,7 +8,7 @@ use sobol_burley::sample;
 use crate::analysis::sphere::pair_at;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::warp;
-use bxdf::{Bxdf, Material, Side};
+use bxdf::{Material, Scatterer, Side};
 
 /// Held directions over the hemisphere, beside the normal.
 const HELD: usize = 64;
@@ -63,7 +63,7 @@ pub struct Probe {
 impl Probe {
     /// The pairs for `bxdf`, which is `material`.
     #[must_use]
-    pub fn new(material: &Material, bxdf: &dyn Bxdf<f64>) -> Self {
+    pub fn new(material: &Material, bxdf: &dyn Scatterer<f64>) -> Self {
         let sides = Sides::of(material);
         let mut probe = Self {
             pairs: Vec::new(),
@@ -95,7 +95,7 @@ impl Probe {
     /// Adds a group of about `count` directions to `wo`.
     fn hold(
         &mut self,
-        bxdf: &dyn Bxdf<f64>,
+        bxdf: &dyn Scatterer<f64>,
         sides: Sides,
         wo: DVec3,
         count: u32,
@@ -210,7 +210,7 @@ impl Sides {
 }
 
 /// The pdf of `bxdf` at `wo` and each of `wi`.
-fn densities(bxdf: &dyn Bxdf<f64>, wo: DVec3, wi: &[DVec3]) -> Vec<f64> {
+fn densities(bxdf: &dyn Scatterer<f64>, wo: DVec3, wi: &[DVec3]) -> Vec<f64> {
     let held = Columns::repeated(wo.to_array(), wi.len());
     let free = Columns::from_rows(wi.iter().map(DVec3::to_array));
     let mut pdf = vec![0.0; wi.len()];

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::errors::{Baseline, Values};
 use super::probe::Probe;
 use bxdf::math::frame::direction_from_degrees;
-use bxdf::{Bxdf, Material};
+use bxdf::{Material, Scatterer};
 
 /// Why a family has no (more) points.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub struct Study<'a> {
     pub material: &'a Material,
     /// The direction of view at which reflectances are estimated, a unit vector.
     pub held: DVec3,
-    bxdf: Box<dyn Bxdf<f64>>,
+    bxdf: Box<dyn Scatterer<f64>>,
     pub(super) probe: Probe,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Study<'a> {
         }
     }
 
-    pub(super) fn bxdf(&self) -> &dyn Bxdf<f64> {
+    pub(super) fn bxdf(&self) -> &dyn Scatterer<f64> {
         &*self.bxdf
     }
 

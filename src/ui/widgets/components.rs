@@ -6,7 +6,7 @@ use egui::{Align, Button, Layout, Response, RichText, Role, Ui, WidgetInfo};
 use super::params::{self, Ties};
 use bxdf::Catalogue;
 use bxdf::material::{MAX_COMPONENTS, library};
-use bxdf::param::{Role, Value};
+use bxdf::param::{self, Value};
 use bxdf::{Category, Component, Material, ModelSpec};
 use bxdf_lab::contract::weight_that_keeps_energy;
 
@@ -269,7 +269,7 @@ fn added(model: &'static ModelSpec, material: &Material) -> Component {
 
 /// Gives `component` this index of refraction. A model without such a parameter, or whose range ends before, stays as it is.
 fn set_index(component: &mut Component, index: f64) {
-    if let Some((spec, _)) = component.params().of_role(Role::Index) {
+    if let Some((spec, _)) = component.params().of_role(param::Role::Index) {
         let _ = component.set(spec.name, Value::Number(index));
     }
 }

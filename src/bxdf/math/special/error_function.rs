@@ -9,9 +9,8 @@
 
 use std::sync::LazyLock;
 
+use num_traits::FloatConst;
 use xprec::Df64;
-
-use crate::math::Real;
 
 /// Below it anchors hold erf, from it on erfc: there 1 - erf would lose more than a factor 1 / erfc(1) = 6.4.
 const CROSSOVER: f64 = 1.0;
@@ -104,7 +103,7 @@ impl Anchor {
             } else {
                 Found::Erfc(tail(exact))
             },
-            slope: Df64::frac_2_sqrt_pi() * (-exact * exact).exp(),
+            slope: Df64::FRAC_2_SQRT_PI() * (-exact * exact).exp(),
         }
     }
 
@@ -136,7 +135,7 @@ fn series(x: Df64) -> Df64 {
         term = term * x2 * 2.0 / f64::from(2 * n + 1);
         sum += term;
     }
-    Df64::frac_2_sqrt_pi() * (-x2).exp() * sum
+    Df64::FRAC_2_SQRT_PI() * (-x2).exp() * sum
 }
 
 /// erfc(x) = exp(-x^2)/sqrt(pi) / (x + (1/2)/(x + 1/(x + (3/2)/(x + ..)))), for x >= [`CROSSOVER`].
@@ -155,7 +154,7 @@ fn tail(x: Df64) -> Df64 {
     let below = below.fold(x.hi(), |sum, n| x.hi() + half(n) / sum);
     let sum = (1..=exact).rev();
     let sum = sum.fold(Df64::new(below), |sum, n| x + Df64::new(half(n)) / sum);
-    Df64::frac_2_sqrt_pi() * 0.5 * (-(x * x)).exp() / sum
+    Df64::FRAC_2_SQRT_PI() * 0.5 * (-(x * x)).exp() / sum
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 use super::*;
 use crate::analysis::Hold;
 use bxdf::math::frame::direction_from_degrees;
-use bxdf::{Bxdf, Material};
+use bxdf::{Material, Scatterer};
 
-fn surface(text: &str) -> Box<dyn Bxdf<f64>> {
+fn surface(text: &str) -> Box<dyn Scatterer<f64>> {
     text.parse::<Material>().unwrap().build()
 }
 
-fn lobe(surface: &dyn Bxdf<f64>) -> HeldLobe<'_> {
+fn lobe(surface: &dyn Scatterer<f64>) -> HeldLobe<'_> {
     HeldLobe::new(surface, Hold::Light, direction_from_degrees(60.0, 20.0))
 }
 

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use super::*;
 use crate::analysis::{HeldLobe, Hold};
 use bxdf::math::frame::direction_from_degrees;
-use bxdf::{Bxdf, Material};
+use bxdf::{Material, Scatterer};
 
 const REQUEST: Request = Request {
     projection: Projection::EqualArea,
@@ -13,7 +13,7 @@ const REQUEST: Request = Request {
     size: 64,
 };
 
-fn built(material: &str) -> Box<dyn Bxdf<f64>> {
+fn built(material: &str) -> Box<dyn Scatterer<f64>> {
     material.parse::<Material>().unwrap().build()
 }
 

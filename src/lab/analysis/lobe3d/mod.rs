@@ -101,14 +101,14 @@ mod tests {
     use crate::analysis::reflectance::directional_hemispherical;
     use crate::analysis::{Hold, RadialScale};
     use bxdf::math::frame::direction_from_degrees;
-    use bxdf::{Bxdf, Material};
+    use bxdf::{Material, Scatterer};
 
     const REQUEST: Request = Request {
         scale: RadialScale::Linear,
         with_cosine: false,
     };
 
-    fn built(material: &str) -> Box<dyn Bxdf<f64>> {
+    fn built(material: &str) -> Box<dyn Scatterer<f64>> {
         material.parse::<Material>().unwrap().build()
     }
 

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{LobeShare, Reflectance, lobe_shares};
 use crate::analysis::{Detail, IsWanted, Question, Subject, isotropy};
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::internals::gauss_legendre;
 use bxdf::math::frame::direction_from_degrees;
 
@@ -100,7 +100,7 @@ impl Question for CurveRequest {
 }
 
 impl CurveRequest {
-    fn rows(&self, bxdf: &dyn Bxdf<f64>, is_wanted: IsWanted<'_>) -> Option<Vec<Row>> {
+    fn rows(&self, bxdf: &dyn Scatterer<f64>, is_wanted: IsWanted<'_>) -> Option<Vec<Row>> {
         let steps = self.angles.max(2) - 1;
         let angles = (0..steps + 1).into_par_iter().with_max_len(1);
         let rows = angles.map(|index| {
@@ -113,7 +113,7 @@ impl CurveRequest {
         rows.collect()
     }
 
-    fn shares(&self, bxdf: &dyn Bxdf<f64>, theta_deg: f64, phi_deg: f64) -> Vec<LobeShare> {
+    fn shares(&self, bxdf: &dyn Scatterer<f64>, theta_deg: f64, phi_deg: f64) -> Vec<LobeShare> {
         let wi = direction_from_degrees(theta_deg.min(GRAZING_DEG), phi_deg);
         lobe_shares(bxdf, wi, self.tolerance, self.max_evaluations)
     }
@@ -121,7 +121,7 @@ impl CurveRequest {
     /// The mean by two product rules: Gauss-Legendre over the cosine, equal steps over the azimuth.
     fn hemispherical(
         &self,
-        bxdf: &dyn Bxdf<f64>,
+        bxdf: &dyn Scatterer<f64>,
         is_wanted: IsWanted<'_>,
     ) -> Option<Hemispherical> {
         let rules = if isotropy::measured(bxdf) {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::lobe::{HeldLobe, Hold};
 use super::quadrature::Integral;
 use super::{Detail, IsWanted, Question, Subject};
-use bxdf::{Bxdf, Category, Lobe, Side};
+use bxdf::{Category, Lobe, Scatterer, Side};
 
 pub use curve::{Curve, CurveRequest, GRAZING_DEG, Hemispherical, Row};
 
@@ -96,7 +96,7 @@ impl LobeShare {
 /// Dirac deltas. Arguments as for [`directional_hemispherical_within`].
 #[must_use]
 pub fn lobe_shares(
-    bxdf: &dyn Bxdf<f64>,
+    bxdf: &dyn Scatterer<f64>,
     wi: DVec3,
     tolerance: f64,
     max_evaluations: usize,
@@ -170,14 +170,18 @@ pub fn by_kind(shares: &[LobeShare]) -> Vec<LobeShare> {
 /// `wi` is a unit vector, above or below the surface; one in the horizon plane carries nothing and gives 0.
 /// `tolerance`: absolute error wanted; the error reached is returned.
 #[must_use]
-pub fn directional_hemispherical(bxdf: &dyn Bxdf<f64>, wi: DVec3, tolerance: f64) -> Reflectance {
+pub fn directional_hemispherical(
+    bxdf: &dyn Scatterer<f64>,
+    wi: DVec3,
+    tolerance: f64,
+) -> Reflectance {
     directional_hemispherical_within(bxdf, wi, tolerance, MAX_EVALUATIONS)
 }
 
 /// [`directional_hemispherical`] with at most about `max_evaluations` of f for each lobe.
 #[must_use]
 pub fn directional_hemispherical_within(
-    bxdf: &dyn Bxdf<f64>,
+    bxdf: &dyn Scatterer<f64>,
     wi: DVec3,
     tolerance: f64,
     max_evaluations: usize,

@@ -1,7 +1,7 @@
 //! The draws of a sampler: the one place where random numbers become samples, in any precision.
 
 use crate::analysis::statistics::Random;
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::{Real, Vec3};
 
@@ -54,7 +54,7 @@ impl<R: Real> Draw<R> {
 impl<R: Real> Draws<R> {
     /// The draws number `first` and following, `count` of them, of the generator `seed` for the direction `wo`.
     #[must_use]
-    pub fn new(bxdf: &dyn Bxdf<R>, wo: Vec3<R>, seed: u64, first: u64, count: usize) -> Self {
+    pub fn new(bxdf: &dyn Scatterer<R>, wo: Vec3<R>, seed: u64, first: u64, count: usize) -> Self {
         let mut random = Random::new(seed).after(NUMBERS * u128::from(first));
         let numbers = (0..count).map(|_| [(); 3].map(|()| random.number::<R>()));
         let numbers = Columns::from_rows(numbers);

@@ -3,10 +3,10 @@
 use super::points::Point;
 use crate::analysis::HeldLobe;
 use crate::analysis::statistics::Random;
+use bxdf::Side;
 use bxdf::math::Vec3;
 use bxdf::math::warp;
 use bxdf::optics::spectrum::luminance;
-use bxdf::spec::Side;
 use glam::DVec3;
 
 /// An estimate of the luminance of the integral of f |cos(theta)| over the sphere, deltas left out, as directions that do

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::analysis::lobe::{HeldLobe, Hold};
 use crate::analysis::polar::direction;
 use crate::analysis::{Detail, IsWanted, isotropy};
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::math::frame;
 
 /// Absolute error aimed at in each lobe: half of what 8 bits tell apart.
@@ -33,7 +33,7 @@ impl Dome {
     /// The table of `bxdf`; `None` where it was not wanted to the end. Surfaces that stay as they are when turned need but
     /// one azimuth.
     pub(super) fn new(
-        bxdf: &dyn Bxdf<f64>,
+        bxdf: &dyn Scatterer<f64>,
         detail: Detail,
         is_wanted: IsWanted<'_>,
     ) -> Option<Self> {
@@ -92,7 +92,7 @@ impl Dome {
 }
 
 /// The integral of f(wo, wi) |cos(theta_i)| over all `wi`, and the weights of the deltas.
-fn rho_hd(bxdf: &dyn Bxdf<f64>, wo: DVec3) -> [f64; 3] {
+fn rho_hd(bxdf: &dyn Scatterer<f64>, wo: DVec3) -> [f64; 3] {
     let held = HeldLobe::new(bxdf, Hold::Viewer, wo);
     let integrals = held.integrals(TOLERANCE, MAX_EVALUATIONS).into_iter();
     let deltas = bxdf.deltas(wo.into()).into_iter().flatten();

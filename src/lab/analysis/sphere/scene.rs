@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 
 use bxdf::math::Vec3;
-use bxdf::{Bxdf, Side};
+use bxdf::{Scatterer, Side};
 
 /// The cosine of the angle between the light's middle and its edge, 9 degrees.
 pub(in crate::analysis) const LIGHT_COS: f64 = 0.9877;
@@ -35,7 +35,7 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// A surface under light and sky.
 pub(in crate::analysis) struct Scene<'a> {
-    bxdf: &'a dyn Bxdf<f64>,
+    bxdf: &'a dyn Scatterer<f64>,
     inside: f64,
     /// The middle of the light; need not be a unit vector.
     middle: DVec3,
@@ -77,7 +77,7 @@ impl<'a> Scene<'a> {
     /// `bxdf` under a light that stands towards `light`; `relative_index`: that below the surface over that above.
     /// `light_samples`, `lobe_samples`: how many directions of the light and of each lobe are looked at.
     pub(in crate::analysis) fn new(
-        bxdf: &'a dyn Bxdf<f64>,
+        bxdf: &'a dyn Scatterer<f64>,
         relative_index: f64,
         light: DVec3,
         [light_samples, lobe_samples]: [usize; 2],

@@ -1,7 +1,7 @@
 //! Ways to choose the directions of an estimate.
 
 use super::sequence::Numbers;
-use bxdf::Bxdf;
+use bxdf::Scatterer;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::Vec3;
 use bxdf::math::warp;
@@ -11,7 +11,7 @@ use bxdf::optics::spectrum::luminance;
 #[derive(Clone, Copy)]
 pub struct Surface<'a> {
     /// The surface.
-    pub bxdf: &'a dyn Bxdf<f64>,
+    pub bxdf: &'a dyn Scatterer<f64>,
     /// The direction of view, a unit vector.
     pub wo: Vec3<f64>,
     /// Whether light comes from the side of `wo`, and whether from the other.
