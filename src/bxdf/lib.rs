@@ -31,11 +31,12 @@
 //! # Ok(())
 //! # }
 //! ```
-//! [`Material`] is what most begin with: a weighted sum of models at their parameters, read from text. [`Bxdf`] is what it
-//! builds. [`material::library`] has the named materials, [`Catalogue`] the models, to which you may add yours: it needs
-//! three functions of [`Bxdf`] and a [`ModelSpec`] (`examples/own_model.rs` beside the labs). Whole arrays of directions are
-//! computed several times as fast by [`Bxdf::batch`] (`examples/histogram.rs`). Each model's file says where it comes from,
-//! where it departs from its source, and how far it is valid.
+//! [`Material`] is what most begin with: a weighted sum of models at their parameters, read from text. A [`Scatterer`]
+//! is what it builds: a [`Bxdf`] that knows its [`Lobes`]. [`material::library`] has the named materials, [`Catalogue`]
+//! the models, to which you may add yours: it needs three functions of [`Bxdf`], its lobes, and a [`ModelSpec`]
+//! (`examples/own_model.rs` beside the labs). Whole arrays of directions are computed several times as fast by
+//! [`Scatterer::batch`] (`examples/histogram.rs`). Each model's file says where it comes from, where it departs from
+//! its source, and how far it is valid.
 //!
 //! There are no threads, no clock, and no files but in [`Material::open`], which the feature `files` brings.
 //!

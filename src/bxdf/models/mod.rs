@@ -62,6 +62,30 @@ mod tests {
     use super::*;
     use crate::lobe::Category;
     use crate::math::Vec3;
+    use crate::param::{Kind, Role};
+
+    #[test]
+    fn parameters_of_one_name_mean_the_same() {
+        for spec in MODELS.iter().flat_map(|model| model.parameters) {
+            let expected = match spec.name {
+                "alpha_x" => Role::WidthS,
+                "alpha_y" => Role::WidthT,
+                "alpha" | "m" | "roughness" => Role::Width,
+                "eta" => Role::Index,
+                "k" => Role::Absorption,
+                "fresnel" => Role::Fresnel,
+                "distribution" => Role::Distribution,
+                _ if spec.kind == Kind::Rgb => Role::Colour,
+                _ => Role::Plain,
+            };
+            assert_eq!(spec.role, expected, "{}", spec.name);
+            assert!(
+                spec.role != Role::Colour || spec.hard == [0.0, 1.0],
+                "{}",
+                spec.name
+            );
+        }
+    }
 
     #[test]
     fn ids_are_unique_and_models_build_in_every_precision() {

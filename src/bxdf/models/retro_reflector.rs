@@ -28,8 +28,8 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     lobes: &[Lobe::reflection(Category::RetroReflective)],
     parameters: &[
         REFLECTANCE,
-        alpha("alpha_x", 0.15, "Width of the returned lobe along s"),
-        alpha("alpha_y", 0.15, "Width of the returned lobe along t"),
+        alpha("alpha_x", 0.15, "Width of the returned lobe along s").role(Role::WidthS),
+        alpha("alpha_y", 0.15, "Width of the returned lobe along t").role(Role::WidthT),
     ],
     properties: Properties::TWO_WIDTHS,
     validate: ModelSpec::any,

@@ -308,8 +308,12 @@ mod tests {
 
     static SPECS: [ParamSpec; 4] = [
         ParamSpec::rgb("reflectance", [0.8; 3], "share reflected"),
-        ParamSpec::number("alpha_x", 0.3, "width along s").hard(1e-4, 1.0),
-        ParamSpec::number("alpha_y", 0.3, "width along t").hard(1e-4, 1.0),
+        ParamSpec::number("alpha_x", 0.3, "width along s")
+            .role(Role::WidthS)
+            .hard(1e-4, 1.0),
+        ParamSpec::number("alpha_y", 0.3, "width along t")
+            .role(Role::WidthT)
+            .hard(1e-4, 1.0),
         ParamSpec::choice("fresnel", &["one", "schlick"], "reflectance of a facet"),
     ];
 

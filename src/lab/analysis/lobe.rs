@@ -172,7 +172,7 @@ impl<'a> HeldLobe<'a> {
         arrows.filter(|arrow| arrow.flux != [0.0; 3]).collect()
     }
 
-    /// The inner lobes of the surface; see [`Bxdf::lobes`].
+    /// The inner lobes of the surface; see [`Lobes::lobes`](bxdf::Lobes::lobes).
     #[must_use]
     pub fn lobes(&self) -> &[Lobe] {
         self.bxdf.lobes()

@@ -1,7 +1,7 @@
 //! Adaptive cubature over the unit square, and the choice among several maps of it.
 //!
 //! A lobe may be a needle over the sphere; over the square that its own sampling maps to directions
-//! ([`Bxdf::sample_lobe`](bxdf::Bxdf::sample_lobe)) f |cos(theta)| / pdf is bounded and smooth, however narrow and
+//! ([`Lobes::sample_lobe`](bxdf::Lobes::sample_lobe)) f |cos(theta)| / pdf is bounded and smooth, however narrow and
 //! wherever the lobe, and nothing need be searched for. Where it breaks along a curve (the edge of what the horizon
 //! hides), another map may have the curve as a side of its own, see [`race`](race()).
 //!

@@ -92,7 +92,7 @@ impl LobeShare {
     }
 }
 
-/// What each lobe of `bxdf` does with the light arriving along `wi`: the lobes of [`Bxdf::lobes`] in their order, then the
+/// What each lobe of `bxdf` does with the light arriving along `wi`: the lobes of [`Lobes::lobes`](bxdf::Lobes::lobes) in their order, then the
 /// Dirac deltas. Arguments as for [`directional_hemispherical_within`].
 #[must_use]
 pub fn lobe_shares(

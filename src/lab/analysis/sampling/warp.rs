@@ -56,7 +56,7 @@ const MAX_HALVINGS: usize = 10;
 const LAST: f64 = 1.0 - 0.5 * f64::EPSILON;
 
 /// The images of the lines of a grid of `cells` by `cells` over the unit square, under the map of the lobe at `index` for
-/// the held direction in wo's place ([`Bxdf::sample_lobe`](bxdf::Bxdf::sample_lobe)): first those of equal
+/// the held direction in wo's place ([`Lobes::sample_lobe`](bxdf::Lobes::sample_lobe)): first those of equal
 /// u\[0\], then those of equal u\[1\], cut where directions are lost or jump.
 #[must_use]
 pub fn lines(lobe: &HeldLobe<'_>, index: usize, cells: usize) -> Vec<Vec<DVec3>> {
