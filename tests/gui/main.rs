@@ -25,6 +25,7 @@ mod overlay;
 mod picker;
 mod render;
 mod screenshots;
+mod sessions;
 mod tables;
 mod tiles;
 mod typing;
