@@ -140,7 +140,7 @@ fn pictures_are_as_stored() {
     for (theme_name, theme) in THEMES {
         for (name, shown, layout, size, scale) in WINDOWS {
             let mut shown = session(shown);
-            shown.layout = (READY_LAYOUTS[layout].layout)();
+            shown.views.show_ready(&READY_LAYOUTS[layout]);
             let window = Picture {
                 scale,
                 ..picture(shown, None, size, theme)
