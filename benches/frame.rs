@@ -13,8 +13,8 @@ use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
 use brdf_explorer::study::jobs::Clock;
 use brdf_explorer::study::platform;
-use brdf_explorer::study::session::{Layout, Materials, Part, READY_LAYOUTS, Session, ViewId};
-use brdf_explorer::study::views::{VIEWS, ViewKind};
+use brdf_explorer::study::session::{Materials, Place, READY_LAYOUTS, Session, Views};
+use brdf_explorer::study::views::{Options, VIEWS, ViewKind};
 use brdf_explorer::ui::app::App;
 use egui_kittest::Harness;
 
@@ -66,7 +66,7 @@ fn main() -> Result<()> {
     measure("nothing moves", &start, |_, _| Ok(()))?;
     let eight = eight()?;
     let everything = Session {
-        layout: every_view(),
+        views: every_view(),
         ..eight.clone()
     };
     measure("theta, eight materials, Compare", &eight, theta)?;
@@ -91,20 +91,17 @@ fn eight() -> Result<Session> {
     let compare = READY_LAYOUTS.iter().find(|ready| ready.name == "Compare");
     Ok(Session {
         materials: Materials::new(materials?)?,
-        layout: compare.map_or_else(Default::default, |ready| (ready.layout)()),
+        views: compare.map_or_else(Default::default, Views::ready),
         ..Session::default()
     })
 }
 
 /// Every view open once, in rows of three.
-fn every_view() -> Layout {
+fn every_view() -> Views {
     const IN_A_ROW: usize = 3;
-    let part = |place| Part { share: 1.0, place };
-    let row = |views: &'static [ViewKind]| {
-        let views = views.iter().map(|view| Layout::View(ViewId::of(view)));
-        part(Layout::Row(views.map(part).collect()))
-    };
-    Layout::Column(VIEWS.chunks(IN_A_ROW).map(row).collect())
+    let view = |kind: &ViewKind| Place::View(Options::of(kind));
+    let row = |kinds: &[ViewKind]| Place::row(kinds.iter().map(view).collect());
+    Place::column(VIEWS.chunks(IN_A_ROW).map(row).collect()).into()
 }
 
 /// The window with `session`, settled.

@@ -18,9 +18,8 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
     let format = extension
         .and_then(export::format_of)
         .ok_or_else(|| unknown(&request.output))?;
-    let session = render::session(request)?;
-    // A file shows one view: the first one where none is named.
-    let view = render::view(request)?.or_else(|| views::VIEWS.first());
+    // A file shows one view: of the first kind where none is named.
+    let (session, view) = render::chosen(request, views::VIEWS.first())?;
     let theme = request.theme.unwrap_or_default();
     let bytes = match export::text(&session, view, theme, format) {
         Some(bytes) => bytes?,

@@ -4,13 +4,14 @@
 use std::path::{Path, PathBuf};
 
 use super::args::{self, Angles, Given};
+use super::say;
 use bxdf::Material;
 use bxdf::error::{Error, Result, shown};
 use bxdf_lab::analysis::Hold;
 use bxdf_study::colors::Theme;
 use bxdf_study::export::Format;
-use bxdf_study::session::{Materials, Session, wrapped_deg};
-use bxdf_study::views::{self, ViewKind};
+use bxdf_study::session::{Materials, Session, ViewId, wrapped_deg};
+use bxdf_study::views::{self, ViewKind, tradeoff};
 
 /// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
 const MAX_PIXELS: u32 = 8192;
@@ -135,7 +136,8 @@ impl Arguments {
 /// build without the window.
 pub(super) fn run(request: &RenderArgs) -> Result<()> {
     require_png(&request.output)?;
-    let bytes = drawn(request, session(request)?, view(request)?, Format::Png)?;
+    let (session, view) = chosen(request, None)?;
+    let bytes = drawn(request, session, view, Format::Png)?;
     super::output::write(&request.output, &bytes)
 }
 
@@ -147,7 +149,7 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
 pub(super) fn drawn(
     request: &RenderArgs,
     session: Session,
-    view: Option<&'static ViewKind>,
+    view: Option<ViewId>,
     format: Format,
 ) -> Result<Vec<u8>> {
     let picture = bxdf_ui::headless::Picture {
@@ -165,36 +167,40 @@ pub(super) fn drawn(
 /// # Errors
 /// Always.
 #[cfg(not(feature = "gui"))]
-pub(super) fn drawn(
-    _: &RenderArgs,
-    _: Session,
-    _: Option<&'static ViewKind>,
-    _: Format,
-) -> Result<Vec<u8>> {
+pub(super) fn drawn(_: &RenderArgs, _: Session, _: Option<ViewId>, _: Format) -> Result<Vec<u8>> {
     Err(super::say::no_window())
 }
 
-/// The view that is asked for by name.
+/// The session to draw, and the view to draw alone: the first of the kind that is asked for by name, or of the `usual` one
+/// where none is.
 ///
 /// # Errors
-/// Where there is none of this name.
-pub(super) fn view(request: &RenderArgs) -> Result<Option<&'static ViewKind>> {
-    request.view.as_deref().map(views::find).transpose()
+/// Where there is no kind of this name, and those of [`session`].
+pub(super) fn chosen(
+    request: &RenderArgs,
+    usual: Option<&'static ViewKind>,
+) -> Result<(Session, Option<ViewId>)> {
+    let mut session = session(request)?;
+    let named = request.view.as_deref().map(views::find).transpose()?;
+    let view = named.or(usual).map(|kind| session.views.show_alone(kind));
+    Ok((session, view))
 }
 
 /// What a file of a session is.
 const SESSION_FILE: &str = "a session is read from TOML text, as the window saves it";
 
-/// The session to draw: the file's or the start, changed by what else was asked for.
+/// The session to draw, before a view of it is chosen: the file's or the start, changed by what else was asked for.
 ///
 /// # Errors
 /// Where the file cannot be read, and where the materials are too many.
-pub(super) fn session(request: &RenderArgs) -> Result<Session> {
+fn session(request: &RenderArgs) -> Result<Session> {
     let mut session = match &request.session {
         None => Session::default(),
         Some(path) => {
             let text = bxdf_study::files::text_at(path, SESSION_FILE)?;
-            Session::from_toml(&text, &path.display().to_string())?
+            let read = Session::read_toml(&text, &path.display().to_string())?;
+            read.left_out.iter().for_each(|line| say::say(line));
+            read.session
         }
     };
     if !request.materials.is_empty() {
@@ -208,7 +214,8 @@ pub(super) fn session(request: &RenderArgs) -> Result<Session> {
         session.phi_deg = wrapped_deg(phi_deg);
     }
     // Nobody is there to press the button.
-    session.views.tradeoff.is_immediate = true;
+    let views = &mut session.views;
+    views.each(|tradeoff: &mut tradeoff::Options| tradeoff.is_immediate = true);
     Ok(session)
 }
 

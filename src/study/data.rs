@@ -4,10 +4,10 @@ use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::jobs::{Answer, Clock, Jobs, Slot};
+use super::jobs::{Answer, Clock, Jobs, Slot, Watch};
 use super::measured::Measured;
 use super::memo::{Memo, Same};
-use super::session::{EntryId, MaterialEntry, Session};
+use super::session::{EntryId, MaterialEntry, Session, ViewId};
 use bxdf::Rotated;
 use bxdf::math::frame;
 use bxdf::{Material, Scatterer};
@@ -44,6 +44,13 @@ struct Held {
 }
 
 impl Held {
+    /// The one where it does not matter.
+    const ANY: Self = Self {
+        hold: Hold::Light,
+        theta_deg: 0.0,
+        phi_deg: 0.0,
+    };
+
     fn of(session: &Session) -> Self {
         Self {
             hold: session.hold,
@@ -74,36 +81,76 @@ struct Answers {
     surface: Memo<(Material, f64), Surface>,
     arrows: Memo<(Same<Surface>, Held), Vec<Arrow>>,
     checks: Slot<Material, Vec<LawReport>>,
-    /// The slots of the views' questions, by the type of the question and its place.
-    slots: HashMap<(TypeId, usize), Kept>,
+    /// The slots of questions, by who asks, the type of the question and its place.
+    slots: HashMap<(Option<ViewId>, TypeId, usize), Kept>,
 }
 
-/// A `Slot<Asked<Q>, Q::Answer>` of some question `Q`.
+/// What is kept of a question.
 struct Kept {
-    slot: Box<dyn Any>,
+    /// An `Asking<Q>` of some question `Q`.
+    asking: Box<dyn Any>,
     /// The frame in which it was asked last.
     frame: u64,
+    /// Whether it shows what another one has been asked too.
+    is_following: bool,
+}
+
+/// A question, and the slot of its answers.
+struct Asking<Q: Question> {
+    asked: Option<Asked<Q>>,
+    slot: Slot<Asked<Q>, Q::Answer>,
+}
+
+impl Kept {
+    fn new<Q: Question>() -> Self {
+        let asking = Asking::<Q> {
+            asked: None,
+            slot: Slot::default(),
+        };
+        Self {
+            asking: Box::new(asking),
+            frame: 0,
+            is_following: false,
+        }
+    }
 }
 
 impl Answers {
     fn ask<Q: Question>(
         &mut self,
         jobs: &mut Jobs,
-        frame: u64,
+        (asker, frame): (Option<ViewId>, u64),
         asked: &Asked<Q>,
     ) -> Answer<Q::Answer> {
-        let place = (TypeId::of::<Q>(), asked.question.place());
-        let kept = self.slots.entry(place).or_insert_with(|| Kept {
-            slot: Box::new(Slot::<Asked<Q>, Q::Answer>::default()),
-            frame,
+        let place = (asker, TypeId::of::<Q>(), asked.question.place());
+        let mut kept = self.slots.remove(&place).unwrap_or_else(Kept::new::<Q>);
+        // Where another view has asked the same in this frame, it is answered once.
+        let leader = self.slots.iter().find_map(|(other, kept)| {
+            let is_asked = kept.frame == frame && !kept.is_following && other.2 == place.2;
+            let asking = kept.asking.downcast_ref::<Asking<Q>>();
+            asking.filter(|asking| is_asked && asking.asked.as_ref() == Some(asked))
         });
-        kept.frame = frame;
-        // The type is a part of the place: it is always this one.
-        let Some(slot) = kept.slot.downcast_mut::<Slot<Asked<Q>, Q::Answer>>() else {
-            return Answer::nothing();
+        (kept.frame, kept.is_following) = (frame, leader.is_some());
+        let answer = match (kept.asking.downcast_mut::<Asking<Q>>(), leader) {
+            (Some(own), Some(leader)) => own.slot.follow(&leader.slot, asked),
+            (Some(own), None) => {
+                if own.asked.as_ref() != Some(asked) {
+                    own.asked = Some(asked.clone());
+                }
+                own.answer(jobs, asked)
+            }
+            // The type is a part of the place: it is always this one.
+            (None, _) => Answer::nothing(),
         };
+        self.slots.insert(place, kept);
+        answer
+    }
+}
+
+impl<Q: Question> Asking<Q> {
+    fn answer(&mut self, jobs: &mut Jobs, asked: &Asked<Q>) -> Answer<Q::Answer> {
         let inputs = asked.clone();
-        slot.ask(jobs, asked, Q::FIRST, move |detail, watch| {
+        let compute = move |detail, watch: &Watch<'_>| {
             let lobe = |surface| inputs.held.lobe(surface);
             let subject = Subject {
                 lobe: lobe(&inputs.surface.0),
@@ -113,7 +160,8 @@ impl Answers {
             inputs
                 .question
                 .answer(&subject, detail, &|| !watch.is_stale())
-        })
+        };
+        self.slot.ask(jobs, asked, Q::FIRST, compute)
     }
 }
 
@@ -129,6 +177,8 @@ pub struct Data {
     clock: Option<Clock>,
     /// The number of this frame.
     frame: u64,
+    /// Who asks.
+    asker: Option<ViewId>,
     /// Seconds from the last change to its full answers; `None` before the first, and without a clock.
     last_update: Option<f64>,
     /// Since when answers are awaited, in seconds of the clock.
@@ -149,6 +199,7 @@ impl Data {
             jobs: Jobs::new(clock, wake),
             clock,
             frame: 0,
+            asker: None,
             last_update: None,
             awaited_since: None,
             shown: Some(Detail::Full),
@@ -212,6 +263,12 @@ impl Data {
         })
     }
 
+    /// Says who asks from here on: a view, or nobody of them. The answers of each are kept by themselves, so that two views
+    /// of one kind do not take the slots from one another.
+    pub fn asked_by(&mut self, asker: Option<ViewId>) {
+        self.asker = asker;
+    }
+
     /// The answer to `question` about a material, or to the last one of its kind; an empty one before the first.
     pub fn ask<Q: Question>(
         &mut self,
@@ -231,18 +288,18 @@ impl Data {
         question: Q,
     ) -> Arc<Q::Answer> {
         let held = if Q::USES_HELD {
-            session
+            Held::of(session)
         } else {
-            &Session::default()
+            Held::ANY
         };
         let asked = Asked {
             surface: Same(self.surface(session, entry)),
             against: against.map(|against| Same(self.surface(session, against))),
-            held: Held::of(held),
+            held,
             question,
         };
         let answers = self.answers.entry(entry.id()).or_default();
-        let answer = answers.ask(&mut self.jobs, self.frame, &asked);
+        let answer = answers.ask(&mut self.jobs, (self.asker, self.frame), &asked);
         self.shown = self.shown.min(answer.detail);
         answer.value.unwrap_or_default()
     }
@@ -287,32 +344,4 @@ impl Data {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_material_keeps_its_answers_until_it_is_removed() {
-        let mut session = Session::of("oren_nayar".parse().unwrap());
-        let added = session.materials.add("phong".parse().unwrap()).unwrap();
-        let mut data = Data::new(None, || {});
-        data.begin_frame(&session);
-        let section = |data: &mut Data, session: &Session, index: usize| {
-            let entry = session.materials.iter().nth(index).unwrap();
-            data.ask(session, entry, session.section_request())
-        };
-        let [first, second] = [0, 1].map(|index| section(&mut data, &session, index));
-        assert_ne!(first, second);
-        // One is edited: the other one is not computed anew.
-        session.materials.get_mut(added).unwrap().material = "ward".parse().unwrap();
-        assert!(Arc::ptr_eq(&first, &section(&mut data, &session, 0)));
-        assert!(!Arc::ptr_eq(&second, &section(&mut data, &session, 1)));
-        // The laws of a material do not depend on what is held.
-        let laws = |data: &mut Data, session: &Session| data.checks(session.materials.selected());
-        let checked = laws(&mut data, &session).unwrap();
-        session.theta_deg = 10.0;
-        assert!(Arc::ptr_eq(&checked, &laws(&mut data, &session).unwrap()));
-        session.materials.remove(added);
-        data.begin_frame(&session);
-        assert_eq!(data.answers.len(), 1);
-    }
-}
+mod tests;

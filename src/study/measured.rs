@@ -47,9 +47,14 @@ impl Measured {
         self.run.as_ref().and_then(|run| run.state().report)
     }
 
-    /// Begins to measure what `session` wants; `wake` is called when there is news.
-    pub fn start(&mut self, session: &Session, wake: impl Fn() + Send + 'static) {
-        let order = Order::of(session);
+    /// Begins to measure these `families` for what `session` has selected and holds; `wake` is called when there is news.
+    pub fn start(
+        &mut self,
+        session: &Session,
+        families: Vec<&'static str>,
+        wake: impl Fn() + Send + 'static,
+    ) {
+        let order = Order::of(session, families);
         let is_threaded = self.is_threaded;
         self.run = Some(Run::start(order, self.stopwatch, is_threaded, wake));
     }
@@ -61,12 +66,12 @@ impl Measured {
         }
     }
 
-    /// Whether the measurement, if there is one, is of what `session` wants.
+    /// Whether the measurement, if there is one, is of these `families` and of what `session` has selected and holds.
     #[must_use]
-    pub fn is_of(&self, session: &Session) -> bool {
+    pub fn is_of(&self, session: &Session, families: &[&'static str]) -> bool {
         self.run
             .as_ref()
-            .is_some_and(|run| run.order == Order::of(session))
+            .is_some_and(|run| run.order == Order::of(session, families.to_vec()))
     }
 }
 
@@ -102,16 +107,11 @@ pub struct Run {
 }
 
 impl Order {
-    /// What `session` wants measured.
-    fn of(session: &Session) -> Self {
-        let left_out = &session.views.tradeoff.left_out;
-        let ids = FAMILIES.iter().map(|family| family.id());
+    fn of(session: &Session, families: Vec<&'static str>) -> Self {
         Self {
             material: session.material().clone(),
             held: session.on_surface(session.held()),
-            families: ids
-                .filter(|id| !left_out.iter().any(|out| out == id))
-                .collect(),
+            families,
         }
     }
 }

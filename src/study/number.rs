@@ -124,6 +124,36 @@ impl NumberSpec {
     }
 }
 
+/// Numbers that gestures and files set, each with what it may be.
+pub type Numbers<'a> = Vec<(&'static NumberSpec, &'a mut f64)>;
+
+/// Checks numbers, and folds angles into their turn.
+///
+/// # Errors
+/// One sentence that names the first that is refused, its value and what is allowed.
+pub(crate) fn checked(numbers: Numbers<'_>) -> Result<(), String> {
+    for (spec, value) in numbers {
+        *value = spec.checked(*value)?;
+    }
+    Ok(())
+}
+
+/// Whether each of the numbers may be as it is.
+pub(crate) fn are_allowed(numbers: &Numbers<'_>) -> bool {
+    numbers.iter().all(|(spec, value)| spec.admits(**value))
+}
+
+/// Takes each number that is not allowed from those `before`.
+pub(crate) fn keep(numbers: Numbers<'_>, before: &Numbers<'_>) {
+    for (spec, value) in numbers {
+        let known = before.iter().find(|(other, _)| other.name == spec.name);
+        if !spec.admits(*value) {
+            let [low, _] = spec.range;
+            *value = known.map_or(low, |(_, old)| **old);
+        }
+    }
+}
+
 /// A number with every digit that it takes to read it back, short where it is very large or very small.
 #[must_use]
 pub fn plain(x: f64) -> String {

@@ -14,23 +14,37 @@ use super::widgets::search::Outcome;
 use super::widgets::{badges, directions, layouts, options, status};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::history::Control;
-use bxdf_study::session::{SHARES, Session};
-use bxdf_study::views::ViewKind;
+use bxdf_study::session::{SHARES, Session, ViewId};
 
 impl App {
-    fn show_view(&mut self, ui: &mut Ui, view: &'static ViewKind, palette: &Palette) {
+    fn show_view(&mut self, ui: &mut Ui, view: ViewId, palette: &Palette) {
+        // Its options are taken out of the session meanwhile: views change that too.
+        let Some(mut options) = self.session.views.get(view).cloned() else {
+            return;
+        };
+        let is_pressed = ui.input(|input| input.pointer.any_pressed());
+        if is_pressed && ui.rect_contains_pointer(ui.max_rect()) {
+            self.clicked = Some(view);
+        }
+        self.data.asked_by(Some(view));
         let mut cx = ViewContext {
             view,
             session: &mut self.session,
+            options: &mut (),
             data: &mut self.data,
             state: &mut self.state,
             cursor: &mut self.cursor,
             palette,
         };
-        ui.push_id(view.id, |ui| {
-            views::warn_of_held(ui, &mut cx);
-            views::show(ui, &mut cx);
+        ui.push_id((options.kind().id, view), |ui| {
+            views::show(ui, &mut cx, &mut options);
         });
+        self.data.asked_by(None);
+        if let Some(own) = self.session.views.get_mut(view)
+            && *own != options
+        {
+            *own = options;
+        }
     }
 
     fn show_side(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -98,7 +112,8 @@ impl App {
         let mut wished = None;
         options::headline(ui, |ui| {
             wished = self.file_menu(ui);
-            layouts::menu(ui, &mut self.session);
+            let opened = layouts::menu(ui, &mut self.session);
+            self.notice.report(opened);
             for command in [&commands::UNDO, &commands::REDO, &commands::HELP] {
                 if command.button(ui, self) {
                     wished = Some(command);
@@ -171,17 +186,22 @@ impl App {
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
-        let mut layout = self.session.layout.clone();
+        let views = self.session.views.clone();
         let mut tiles = self.tiles.take().unwrap_or_default();
-        let wished = tiles.show(ui, &mut layout, &mut |ui, view| {
+        let shown = tiles.show(ui, &views, &mut |ui, view| {
             self.show_view(ui, view, palette);
         });
         self.tiles = Some(tiles);
-        self.session.layout = layout;
+        if let Some(layout) = shown.layout {
+            self.session.views.arrange(&layout);
+        }
         let asked = self.state.take_wished_file();
-        match wished.or_else(|| asked.map(|(view, format)| (view, Wish::Export(format)))) {
+        let asked = asked.map(|(view, format)| (view, Wish::Export(format)));
+        match shown.wished.or(asked) {
             Some((view, Wish::Export(format))) => self.ask_export(view, format),
             Some((view, Wish::CopyPicture)) => self.copy_picture(view, ui.ctx()),
+            Some((view, Wish::Duplicate)) => self.duplicate_view(view),
+            Some((view, Wish::OwnSection)) => self.switch_own_section(view),
             None => {}
         }
     }
@@ -205,7 +225,7 @@ impl eframe::App for App {
         }
         self.session.keep_allowed(self.history.present());
         self.data.begin_frame(&self.session);
-        self.state.begin_frame();
+        self.state.begin_frame(&self.session);
         let before = self.cursor;
         if let Some(view) = self.only {
             let frame = egui::Frame::NONE

@@ -11,8 +11,8 @@ use egui_tiles::{
 
 use super::theme;
 use bxdf_study::export::{FORMATS, Format};
-use bxdf_study::session::{Layout, Part, ViewId};
-use bxdf_study::views::{self as kinds, ViewKind};
+use bxdf_study::session::{Layout, Part, Place, ViewId, Views};
+use bxdf_study::views::{Options, ViewKind};
 
 /// What is to be made of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,10 +21,22 @@ pub enum Wish {
     Export(Format),
     /// A picture in the clipboard.
     CopyPicture,
+    /// Another view like it.
+    Duplicate,
+    /// A section of its own, or that of the others again.
+    OwnSection,
+}
+
+/// What was done with the tiles in a frame.
+pub struct Shown {
+    /// Where the views stand now, if a gesture has changed it.
+    pub layout: Option<Layout>,
+    /// What is to be made of a view, if anything was chosen.
+    pub wished: Option<(ViewId, Wish)>,
 }
 
 /// Draws a view into the space left in the `Ui`.
-pub type ShowView<'a> = dyn FnMut(&mut Ui, &'static ViewKind) + 'a;
+pub type ShowView<'a> = dyn FnMut(&mut Ui, ViewId) + 'a;
 
 /// The tree, and the layout it stands for.
 pub struct ViewTiles {
@@ -34,7 +46,7 @@ pub struct ViewTiles {
 
 impl Default for ViewTiles {
     fn default() -> Self {
-        let layout = Layout::default();
+        let layout = Views::default().layout().clone();
         Self {
             tree: tree_of(&layout),
             layout,
@@ -43,21 +55,15 @@ impl Default for ViewTiles {
 }
 
 impl ViewTiles {
-    /// Draws the views where `layout` has them, each by `show_view`; gestures change `layout`.
-    /// Returns what is to be exported, if anything was chosen.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        layout: &mut Layout,
-        show_view: &mut ShowView<'_>,
-    ) -> Option<(ViewId, Wish)> {
-        if *layout != self.layout {
-            self.tree = tree_of(layout);
-            self.layout = layout.clone();
+    /// Draws the views where they stand, each by `show_view`.
+    pub fn show(&mut self, ui: &mut Ui, views: &Views, show_view: &mut ShowView<'_>) -> Shown {
+        if *views.layout() != self.layout {
+            self.layout.clone_from(views.layout());
+            self.tree = tree_of(&self.layout);
         }
         let mut panes = Panes {
+            views,
             show_view,
-            has_several: self.layout.views().len() > 1,
             is_edited: false,
             wished: None,
         };
@@ -66,30 +72,32 @@ impl ViewTiles {
             is_edited, wished, ..
         } = panes;
         // While a tile is dragged the tree is the library's own affair.
-        if is_edited && let Some(edited) = self.tree.root().and_then(|root| self.place(root)) {
-            self.layout = edited;
-            layout.clone_from(&self.layout);
+        let root = self.tree.root().filter(|_| is_edited);
+        let layout = root.and_then(|root| self.place(root));
+        if let Some(edited) = &layout {
+            self.layout.clone_from(edited);
         }
-        wished
+        Shown { layout, wished }
     }
 
     /// The layout of a tile; `None` where no view is in it.
     fn place(&self, id: TileId) -> Option<Layout> {
         match self.tree.tiles.get(id)? {
-            Tile::Pane(view) => Some(Layout::View(*view)),
+            Tile::Pane(view) => Some(Place::View(*view)),
             Tile::Container(Container::Linear(linear)) => {
                 let part = |child: &TileId| {
                     let share = linear.shares.iter().find(|(id, _)| *id == child);
                     let share = share.map_or(1.0, |(_, share)| *share);
                     Some(Part::of(share, self.place(*child)?))
                 };
-                let mut parts: Vec<Part> = linear.children.iter().filter_map(part).collect();
+                let mut parts: Vec<Part<ViewId>> =
+                    linear.children.iter().filter_map(part).collect();
                 if parts.len() < 2 {
                     return parts.pop().map(|part| part.place);
                 }
                 Some(match linear.dir {
-                    LinearDir::Horizontal => Layout::Row(parts),
-                    LinearDir::Vertical => Layout::Column(parts),
+                    LinearDir::Horizontal => Place::Row(parts),
+                    LinearDir::Vertical => Place::Column(parts),
                 })
             }
             Tile::Container(container) => {
@@ -105,9 +113,12 @@ impl ViewTiles {
                     return places.pop().map(|(_, place)| place);
                 };
                 let seen = places.iter().position(|(id, _)| Some(*id) == active);
-                Some(Layout::Tabs {
+                Some(Place::Tabs {
                     active: seen.unwrap_or(0),
-                    views: places.iter().flat_map(|(_, place)| place.views()).collect(),
+                    views: places
+                        .iter()
+                        .flat_map(|(_, place)| place.views().into_iter().copied())
+                        .collect(),
                 })
             }
         }
@@ -123,13 +134,13 @@ fn tree_of(layout: &Layout) -> Tree<ViewId> {
 
 fn insert(tiles: &mut Tiles<ViewId>, layout: &Layout) -> TileId {
     match layout {
-        Layout::View(view) => {
+        Place::View(view) => {
             let pane = tiles.insert_pane(*view);
             tiles.insert_tab_tile(vec![pane])
         }
-        Layout::Row(parts) => insert_parts(tiles, LinearDir::Horizontal, parts),
-        Layout::Column(parts) => insert_parts(tiles, LinearDir::Vertical, parts),
-        Layout::Tabs { views, active } => {
+        Place::Row(parts) => insert_parts(tiles, LinearDir::Horizontal, parts),
+        Place::Column(parts) => insert_parts(tiles, LinearDir::Vertical, parts),
+        Place::Tabs { views, active } => {
             let panes: Vec<TileId> = views.iter().map(|view| tiles.insert_pane(*view)).collect();
             let mut tabs = Tabs::new(panes.clone());
             if let Some(active) = panes.get(*active) {
@@ -140,7 +151,7 @@ fn insert(tiles: &mut Tiles<ViewId>, layout: &Layout) -> TileId {
     }
 }
 
-fn insert_parts(tiles: &mut Tiles<ViewId>, dir: LinearDir, parts: &[Part]) -> TileId {
+fn insert_parts(tiles: &mut Tiles<ViewId>, dir: LinearDir, parts: &[Part<ViewId>]) -> TileId {
     let children: Vec<TileId> = parts
         .iter()
         .map(|part| insert(tiles, &part.place))
@@ -154,20 +165,37 @@ fn insert_parts(tiles: &mut Tiles<ViewId>, dir: LinearDir, parts: &[Part]) -> Ti
 
 /// How the tiles look and what they hold.
 struct Panes<'a, 'b> {
+    views: &'a Views,
     show_view: &'a mut ShowView<'b>,
-    has_several: bool,
     is_edited: bool,
-    /// What is to be exported.
+    /// What is to be made of a view.
     wished: Option<(ViewId, Wish)>,
 }
 
-/// The view of this id; ids are checked where they are read.
-fn spec_of(id: ViewId) -> Option<&'static ViewKind> {
-    kinds::find(id.as_str()).ok()
+/// What can be done to a view, beside what its place offers. Returns what was chosen.
+fn tab_menu(ui: &mut Ui, views: &Views, view: ViewId) -> Option<Wish> {
+    let mut wished = None;
+    let hint = "Another one like it, beside it: the two can then be set differently";
+    let button = ui.add_enabled(views.has_room(), egui::Button::new("Duplicate"));
+    if button.on_hover_text(hint).clicked() {
+        wished = Some(Wish::Duplicate);
+    }
+    let mut options = views.get(view).cloned();
+    if let Some(section) = options.as_mut().and_then(Options::own_section) {
+        let hint =
+            "Whether it shows a section at an azimuth that is its own, whatever the others show";
+        let mut is_own = section.0.is_some();
+        let switch = ui.checkbox(&mut is_own, "Own section");
+        if switch.on_hover_text(hint).clicked() {
+            wished = Some(Wish::OwnSection);
+            ui.close();
+        }
+    }
+    wished
 }
 
 /// What there is to see, and the menu of the files it can be exported to. Returns the one chosen.
-fn caption(ui: &mut Ui, view: &ViewKind) -> Option<Wish> {
+fn caption(ui: &mut Ui, view: &ViewKind, title: &str) -> Option<Wish> {
     let mut wished = None;
     let width = ui.available_width();
     let room = egui::vec2(width, ui.spacing().interact_size.y);
@@ -184,7 +212,7 @@ fn caption(ui: &mut Ui, view: &ViewKind) -> Option<Wish> {
                 }
             }
         });
-        let name = format!("Export {}", view.title);
+        let name = format!("Export {title}");
         ui.ctx()
             .accesskit_node_builder(menu.response.id, |node| node.set_label(name));
         let what = egui::Label::new(RichText::new(view.what_you_see).small().weak());
@@ -197,27 +225,41 @@ fn caption(ui: &mut Ui, view: &ViewKind) -> Option<Wish> {
 
 impl Behavior<ViewId> for Panes<'_, '_> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, id: &mut ViewId) -> UiResponse {
-        if let Some(view) = spec_of(*id) {
+        if let Some(view) = self.views.kind(*id) {
             egui::Frame::NONE
                 .inner_margin(theme::TILE_MARGIN)
                 .show(ui, |ui| {
-                    if let Some(wish) = caption(ui, view) {
+                    if let Some(wish) = caption(ui, view, &self.views.title(*id)) {
                         self.wished = Some((*id, wish));
                     }
-                    (self.show_view)(ui, view);
+                    (self.show_view)(ui, *id);
                 });
         }
         UiResponse::None
     }
 
     fn tab_title_for_pane(&mut self, view: &ViewId) -> WidgetText {
-        spec_of(*view)
-            .map_or_else(String::new, |view| view.title.to_owned())
-            .into()
+        self.views.title(*view).into()
+    }
+
+    fn on_tab_button(
+        &mut self,
+        tiles: &mut Tiles<ViewId>,
+        tile: TileId,
+        response: egui::Response,
+    ) -> egui::Response {
+        if let Some(Tile::Pane(view)) = tiles.get(tile) {
+            response.context_menu(|ui| {
+                if let Some(wish) = tab_menu(ui, self.views, *view) {
+                    self.wished = Some((*view, wish));
+                }
+            });
+        }
+        response
     }
 
     fn is_tab_closable(&self, _tiles: &Tiles<ViewId>, _tile: TileId) -> bool {
-        self.has_several
+        self.views.ids().len() > 1
     }
 
     fn on_tab_close(&mut self, _tiles: &mut Tiles<ViewId>, _tile: TileId) -> bool {
@@ -249,7 +291,7 @@ mod tests {
     #[test]
     fn a_tree_stands_for_its_layout() {
         for ready in &READY_LAYOUTS {
-            let layout = (ready.layout)();
+            let layout = Views::ready(ready).layout().clone();
             let tiles = ViewTiles {
                 tree: tree_of(&layout),
                 layout: layout.clone(),

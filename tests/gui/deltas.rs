@@ -4,26 +4,14 @@ use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::{Comparison, Quantity};
 use brdf_explorer::bxdf::material::file;
 use brdf_explorer::study::data::Data;
-use brdf_explorer::study::session::{Materials, SamplingPlot, Session};
+use brdf_explorer::study::session::{Materials, Session};
+use brdf_explorer::study::views::{Deltas, VIEWS, ViewKind, cartesian, hemisphere, sampling};
 use egui::{Color32, Rect, Shape, Theme};
 
 use super::{picture, session};
 
 const MIRROR: &str = "specular_reflection:reflectance=0.9";
 const GLASS: &str = "fresnel_specular:eta=1.5";
-
-/// The views that have a place for a delta.
-const VIEWS: [&str; 9] = [
-    "sphere",
-    "polar",
-    "lobe3d",
-    "cartesian",
-    "hemisphere",
-    "slice",
-    "sampling",
-    "decomposition",
-    "inspector",
-];
 
 /// A mirror that lies on a diffuse surface, half of each.
 fn mixture() -> Session {
@@ -44,7 +32,9 @@ fn shapes(shown: &Session, view: &str) -> Vec<Shape> {
         }
     }
     let mut shown = shown.clone();
-    shown.views.sampling.plot = SamplingPlot::Curves;
+    shown
+        .views
+        .each(|shown: &mut sampling::Options| shown.plot = sampling::Plot::Curves);
     let harness = picture(shown, Some(view), [640, 480], Theme::Dark).shapes();
     let mut all = Vec::new();
     for clipped in &harness.output().shapes {
@@ -69,7 +59,8 @@ fn has(shown: &Session, view: &str, part: &str) -> bool {
 
 #[test]
 fn every_view_shows_a_delta_with_its_share() {
-    for view in VIEWS {
+    let marks = |view: &&ViewKind| view.deltas == Deltas::Marked;
+    for view in VIEWS.iter().filter(marks).map(|view| view.id) {
         // The chance of the mirror is that of its light among all.
         let [whole, half] = match view {
             "sampling" => ["1.000", "0.474"],
@@ -116,16 +107,20 @@ fn stems_and_rings_have_the_colour_of_their_material() {
 #[test]
 fn a_mirror_stands_where_the_half_vector_is_the_normal() {
     let mut shown = session(&[GLASS]);
-    let options = &mut shown.views.cartesian;
-    (options.abscissa, options.fixed_deg) = (Abscissa::Half, 0.0);
+    let set = |shown: &mut Session, abscissa, fixed_deg| {
+        shown.views.each(|plot: &mut cartesian::Options| {
+            (plot.abscissa, plot.fixed_deg) = (abscissa, fixed_deg);
+        });
+    };
+    set(&mut shown, Abscissa::Half, 0.0);
     // At theta_d = 0: ((1.5 - 1) / (1.5 + 1))^2.
     assert!(has(&shown, "cartesian", "delta 0.040"));
     assert!(has(&shown, "cartesian", "no half vector"));
-    shown.views.cartesian.abscissa = Abscissa::Difference;
+    set(&mut shown, Abscissa::Difference, 0.0);
     shown.theta_deg = 0.0;
     assert!(has(&shown, "cartesian", "delta 0.040"));
     assert!(!has(&shown, "cartesian", "delta 0.040, at"));
-    shown.views.cartesian.fixed_deg = 20.0;
+    set(&mut shown, Abscissa::Difference, 20.0);
     assert!(has(&shown, "cartesian", "delta 0.040, at θh 0°"));
 }
 
@@ -150,14 +145,18 @@ fn comparisons_are_of_shares_and_quantities_have_their_own() {
     let mut shown = session(&["specular_reflection:reflectance=0.4", MIRROR]);
     let first = shown.materials.iter().next().unwrap().id();
     shown.materials.compare_with(first);
-    shown.views.cartesian.is_residual = true;
+    shown
+        .views
+        .each(|plot: &mut cartesian::Options| plot.is_residual = true);
     assert!(has(&shown, "cartesian", "delta 0.500"));
     assert!(!has(&shown, "cartesian", "delta 0.900"));
     for (comparison, text) in [
         (Comparison::Difference, "delta 0.500"),
         (Comparison::Ratio, "delta 2.250"),
     ] {
-        shown.views.hemisphere.comparison = comparison;
+        shown
+            .views
+            .each(|map: &mut hemisphere::Options| map.comparison = comparison);
         assert!(has(&shown, "hemisphere", text), "{text}");
     }
     let mut shown = session(&[GLASS]);
@@ -167,11 +166,14 @@ fn comparisons_are_of_shares_and_quantities_have_their_own() {
         (Quantity::Pdf, "delta, probability 0.040"),
         (Quantity::Weight, "delta, weight 1.000"),
     ] {
-        shown.views.hemisphere.quantity = quantity;
+        shown
+            .views
+            .each(|map: &mut hemisphere::Options| map.quantity = quantity);
         assert!(has(&shown, "hemisphere", text), "{text}");
     }
-    shown.views.hemisphere.is_lower = true;
-    shown.views.hemisphere.quantity = Quantity::F;
+    shown.views.each(|map: &mut hemisphere::Options| {
+        (map.is_lower, map.quantity) = (true, Quantity::F);
+    });
     assert!(has(&shown, "hemisphere", "delta 0.040, above"));
     assert!(has(&shown, "hemisphere", "delta 0.960"));
 }

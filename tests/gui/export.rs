@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use brdf_explorer::study::data::Data;
 use brdf_explorer::study::export::{FORMATS, Format};
 use brdf_explorer::study::session::Session;
-use brdf_explorer::study::views::VIEWS;
+use brdf_explorer::study::views::{VIEWS, cartesian};
 use brdf_explorer::ui::export;
 use brdf_explorer::ui::headless::Picture;
 use egui::Theme;
@@ -60,7 +60,8 @@ fn worst_misfit(xs: &[f64], ys: &[f64]) -> f64 {
 fn the_curve_of_a_drawing_is_that_of_the_data() {
     let shown = session(&["rough_conductor:alpha=0.05"]);
     let entry = shown.materials.selected();
-    let curve = Data::new(None, || {}).ask(&shown, entry, shown.cartesian_request());
+    let curve =
+        Data::new(None, || {}).ask(&shown, entry, cartesian::Options::default().request(&shown));
     let [line] = &curve.lines[..] else {
         panic!("one line above the surface");
     };
@@ -107,7 +108,7 @@ fn tables_have_every_digit_and_their_units() {
     );
     let mut data = Data::new(None, || {});
     for entry in shown.materials.iter() {
-        let curve = data.ask(&shown, entry, shown.cartesian_request());
+        let curve = data.ask(&shown, entry, cartesian::Options::default().request(&shown));
         for point in curve.lines.iter().flatten() {
             let mut cells = lines.next().unwrap().split(',');
             assert_eq!(cells.next(), Some(shown.materials.title(entry).as_str()));

@@ -185,7 +185,7 @@ fn the_held_direction_is_dragged_in_the_polar_plot() {
         session.theta_deg,
         session.phi_deg
     );
-    assert_eq!(session.section_azimuth_deg(), 0.0);
+    assert_eq!(session.section().azimuth_deg, 0.0);
     // Not below the horizon: nothing would be left to see above it.
     drag_label(&mut harness, IN_POLAR, vec2(0.0, 300.0));
     assert_eq!(harness.state().session.theta_deg, 90.0);

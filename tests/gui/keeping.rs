@@ -329,7 +329,7 @@ fn a_session_of_a_newer_program_is_told_of_in_lines_and_stays() {
     let kept = folder.file("data/session.toml");
     fs::create_dir_all(folder.file("data")).unwrap();
     let newer = session(&["gold"]).to_toml().unwrap();
-    let newer = newer.replace("version = 1", "version = 2");
+    let newer = newer.replace("version = 2", "version = 3");
     fs::write(&kept, &newer).unwrap();
     let mut harness = window("gold");
     work_in(&mut harness, &folder);

@@ -15,6 +15,7 @@ mod export;
 mod files;
 mod gestures;
 mod history;
+mod instances;
 mod interaction;
 mod keeping;
 mod list;
@@ -25,6 +26,7 @@ mod overlay;
 mod picker;
 mod render;
 mod screenshots;
+mod sessions;
 mod tables;
 mod tiles;
 mod typing;
@@ -38,7 +40,7 @@ use brdf_explorer::bxdf::material::library;
 use brdf_explorer::lab::timing::NoClock;
 use brdf_explorer::lab::tradeoff::FAMILIES;
 use brdf_explorer::study::session::{Materials, Session};
-use brdf_explorer::study::views as all_views;
+use brdf_explorer::study::views::{self as all_views, tradeoff};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
 use egui::Theme;
@@ -84,7 +86,10 @@ fn session(shown: &[&str]) -> Session {
     };
     let ids = FAMILIES.iter().map(|family| family.id());
     let slow = ids.filter(|id| !QUICK_FAMILIES.contains(id));
-    session.views.tradeoff.left_out = slow.map(str::to_owned).collect();
+    let slow: Vec<String> = slow.map(str::to_owned).collect();
+    session
+        .views
+        .each(|tradeoff: &mut tradeoff::Options| tradeoff.left_out.clone_from(&slow));
     session
 }
 
@@ -97,9 +102,9 @@ fn measure_tradeoff(harness: &mut Harness<'_, App>) {
     }
 }
 
-/// The window showing `session`, or one view of it, settled.
-fn picture(session: Session, view: Option<&str>, size: [u32; 2], theme: Theme) -> Picture {
-    let only = view.map(|id| all_views::find(id).unwrap());
+/// The window showing `session`, or its first view of a kind alone, settled.
+fn picture(mut session: Session, view: Option<&str>, size: [u32; 2], theme: Theme) -> Picture {
+    let only = view.map(|id| session.views.show_alone(all_views::find(id).unwrap()));
     Picture {
         session,
         only,

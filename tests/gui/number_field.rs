@@ -2,7 +2,7 @@
 
 use brdf_explorer::bxdf::param::Value;
 use brdf_explorer::study::session::Session;
-use brdf_explorer::study::views::VIEWS;
+use brdf_explorer::study::views::{OfKind as _, Options, VIEWS, sphere};
 use brdf_explorer::ui::app::App;
 use egui::{Event, Key, Role, Theme, vec2};
 use egui_kittest::Harness;
@@ -242,17 +242,21 @@ fn no_tool_and_no_gesture_stores_what_is_no_number() {
         .set_text_value_accesskit("12,5°");
     harness.run();
     assert_eq!(harness.state().session.theta_deg, 12.5);
-    let mut harness = window("rough_conductor");
-    harness.state_mut().session.theta_deg = f64::NAN;
-    harness.state_mut().session.views.sphere.exposure = f64::INFINITY;
+    let mut shown = session(&["rough_conductor"]);
+    shown.views.show_alone(sphere::Options::KIND);
+    let window = picture(shown.clone(), None, [1280, 800], Theme::Dark);
+    let mut harness = window.harness().unwrap();
+    let session = &mut harness.state_mut().session;
+    session.theta_deg = f64::NAN;
+    let set = |sphere: &mut sphere::Options| sphere.exposure = f64::INFINITY;
+    session.views.each(set);
     harness.run();
-    assert_eq!(harness.state().session, session(&["rough_conductor"]));
+    assert_eq!(harness.state().session, shown);
     assert!(!is_undo_on(&harness), "nothing was edited");
 }
 
 #[test]
 fn a_light_below_opaque_materials_is_told_with_a_way_back() {
-    let of_held = |view: &str| !["reflectance", "slice", "sphere", "tradeoff"].contains(&view);
     for view in &VIEWS {
         let below = Session {
             theta_deg: 120.0,
@@ -262,7 +266,7 @@ fn a_light_below_opaque_materials_is_told_with_a_way_back() {
             all values above it are 0";
         let mut harness = picture(below.clone(), Some(view.id), [640, 480], Theme::Dark).shapes();
         let is_told = harness.query_by_label(text).is_some();
-        assert_eq!(is_told, of_held(view.id), "{}", view.id);
+        assert_eq!(is_told, Options::of(view).is_of_held(), "{}", view.id);
         assert_eq!(harness.state().session.theta_deg, 120.0, "{}", view.id);
         if is_told {
             harness.get_by_label("Bring the light above").click();

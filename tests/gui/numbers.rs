@@ -7,7 +7,7 @@ use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::param::{Kind, ParamSpec, Value};
 use brdf_explorer::bxdf::{Component, Material, ModelSpec};
 use brdf_explorer::study::session::{Session, folded_deg, wrapped_deg};
-use brdf_explorer::study::views::VIEWS;
+use brdf_explorer::study::views::{VIEWS, cartesian, sampling, slice, sphere, tradeoff};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::widgets::components::Components;
 use brdf_explorer::ui::widgets::params::Ties;
@@ -232,25 +232,25 @@ fn try_field<S>(harness: &mut Harness<'_, S>, field: &Field, session: impl Fn(&S
 fn every_number_of_every_view_is_typed() {
     let listed: [Field; 7] = [
         ("cartesian", "at θd", [0.0, 90.0], Some, |s| {
-            s.views.cartesian.fixed_deg
+            s.views.options::<cartesian::Options>().fixed_deg
         }),
         ("cartesian", "at θh", [0.0, 90.0], Some, |s| {
-            s.views.cartesian.fixed_deg
+            s.views.options::<cartesian::Options>().fixed_deg
         }),
         ("slice", "φd", [0.0, 180.0], Some, |s| {
-            s.views.slice.phi_d_deg
+            s.views.options::<slice::Options>().phi_d_deg
         }),
         ("sphere", "Exposure", [-6.0, 6.0], Some, |s| {
-            s.views.sphere.exposure
+            s.views.options::<sphere::Options>().exposure
         }),
         ("sampling", "Samples", [64.0, 65536.0], power_of_2, |s| {
-            f64::from(s.views.sampling.count_log2).exp2()
+            f64::from(s.views.options::<sampling::Options>().count_log2).exp2()
         }),
         ("sampling", "Seed", [0.0, 4_294_967_295.0], whole, |s| {
-            f64::from(s.views.sampling.seed)
+            f64::from(s.views.options::<sampling::Options>().seed)
         }),
         ("tradeoff", "Tolerance", [1e-12, 1.0], Some, |s| {
-            s.views.tradeoff.tolerance
+            s.views.options::<tradeoff::Options>().tolerance
         }),
     ];
     let mut found: BTreeSet<(&str, String)> = BTreeSet::new();
@@ -262,7 +262,9 @@ fn every_number_of_every_view_is_typed() {
             let mut shown = session(&["lambertian_reflection"]);
             // Nothing is computed where nothing is shown; the controls are there.
             shown.materials.selected_mut().is_visible = false;
-            shown.views.cartesian.abscissa = abscissa;
+            shown
+                .views
+                .each(|plot: &mut cartesian::Options| plot.abscissa = abscissa);
             let mut harness = picture(shown, Some(view.id), [640, 480], Theme::Dark).shapes();
             for name in fields(&harness) {
                 let is_it = |field: &&Field| field.0 == view.id && field.1 == name;

@@ -4,13 +4,13 @@ use std::process::{Command, Output};
 
 use super::Folder;
 
-fn program(arguments: &[&str]) -> Command {
+pub(super) fn program(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_brdf-explorer"));
     command.args(arguments);
     command
 }
 
-fn refused(output: &Output, expected: &str) {
+pub(super) fn refused(output: &Output, expected: &str) {
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains(expected), "{message}");

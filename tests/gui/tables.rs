@@ -11,8 +11,10 @@ use std::collections::HashMap;
 use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::Quantity;
 use brdf_explorer::study::export::Format;
-use brdf_explorer::study::session::{SamplingPlot, Session};
-use brdf_explorer::study::views::VIEWS;
+use brdf_explorer::study::session::Session;
+use brdf_explorer::study::views::{
+    TableKind, VIEWS, ViewKind, cartesian, hemisphere, sampling, slice,
+};
 use brdf_explorer::ui::export;
 use egui::Theme;
 
@@ -149,8 +151,9 @@ fn the_cosine_is_in_the_header_and_in_the_values() {
     // The hemisphere has a choice of its own.
     let hemisphere = |quantity| {
         let mut shown = shown();
-        shown.views.hemisphere.quantity = quantity;
-        shown.views.hemisphere.is_logarithmic = false;
+        shown.views.each(|map: &mut hemisphere::Options| {
+            (map.quantity, map.is_logarithmic) = (quantity, false);
+        });
         Table::of(&shown, "hemisphere")
     };
     let tables = [hemisphere(Quantity::F), hemisphere(Quantity::FCos)];
@@ -159,15 +162,16 @@ fn the_cosine_is_in_the_header_and_in_the_values() {
     check_ratio([&tables[0], &tables[1]], &keys, names, &of_z);
 }
 
+/// The kinds of views that have a table which is the same each time.
+fn tables() -> impl Iterator<Item = &'static ViewKind> {
+    let views = VIEWS.iter();
+    views.filter(|view| view.table == TableKind::Computed)
+}
+
 #[test]
 fn views_without_the_cosine_stay_as_they_are() {
-    for view in [
-        "hemisphere",
-        "slice",
-        "reflectance",
-        "sampling",
-        "stability",
-    ] {
+    for view in tables().filter(|view| !view.with_cosine) {
+        let view = view.id;
         let [without, with] = both(view, |_| {});
         assert_eq!(without.header, with.header, "{view}");
         assert_eq!(without.rows, with.rows, "{view}");
@@ -181,12 +185,17 @@ fn decades_are_written_as_linear_values_and_say_so() {
         ("polar", |shown, is| shown.set_logarithmic(is)),
         ("lobe3d", |shown, is| shown.set_logarithmic(is)),
         ("cartesian", |shown, is| {
-            shown.views.cartesian.is_logarithmic = is;
+            let views = &mut shown.views;
+            views.each(|plot: &mut cartesian::Options| plot.is_logarithmic = is);
         }),
         ("hemisphere", |shown, is| {
-            shown.views.hemisphere.is_logarithmic = is;
+            let views = &mut shown.views;
+            views.each(|map: &mut hemisphere::Options| map.is_logarithmic = is);
         }),
-        ("slice", |shown, is| shown.views.slice.is_logarithmic = is),
+        ("slice", |shown, is| {
+            let views = &mut shown.views;
+            views.each(|map: &mut slice::Options| map.is_logarithmic = is);
+        }),
     ];
     for (view, set) in cases {
         let tables = [false, true].map(|is_logarithmic| {
@@ -207,7 +216,8 @@ fn decades_are_written_as_linear_values_and_say_so() {
 #[test]
 fn what_is_divided_or_taken_off_is_named() {
     let mut shown = shown();
-    shown.views.cartesian.is_normalised = true;
+    let set = |shown: &mut Session, set: fn(&mut cartesian::Options)| shown.views.each(set);
+    set(&mut shown, |plot| plot.is_normalised = true);
     let table = Table::of(&shown, "cartesian");
     for name in ["f_over_peak_r", "f_over_peak_luminance"] {
         let values = table.column(name).into_iter();
@@ -217,12 +227,13 @@ fn what_is_divided_or_taken_off_is_named() {
     }
     let first = shown.materials.iter().next().unwrap().id();
     shown.materials.compare_with(first);
-    let options = &mut shown.views.cartesian;
-    (options.is_normalised, options.is_residual) = (false, true);
+    set(&mut shown, |plot| {
+        (plot.is_normalised, plot.is_residual) = (false, true);
+    });
     let table = Table::of(&shown, "cartesian");
     assert!(table.header.contains(&"f_difference_r (1/sr)".to_owned()));
     assert!(table.header.contains(&"delta_difference_r".to_owned()));
-    shown.views.cartesian.abscissa = Abscissa::Half;
+    set(&mut shown, |plot| plot.abscissa = Abscissa::Half);
     let header = Table::of(&shown, "cartesian").header;
     assert_eq!(header[1], "theta_h (degrees)");
 }
@@ -291,9 +302,11 @@ fn meshes_hold_what_the_table_of_the_lobe_does() {
 #[test]
 fn every_plot_of_the_sampling_has_its_table() {
     let mut headers = std::collections::HashSet::new();
-    for plot in SamplingPlot::ALL {
+    for plot in sampling::Plot::ALL {
         let mut shown = session(&["rough_conductor"]);
-        shown.views.sampling.plot = *plot;
+        shown
+            .views
+            .each(|shown: &mut sampling::Options| shown.plot = *plot);
         let table = Table::of(&shown, "sampling");
         assert!(headers.insert(table.header), "{}", plot.title());
         assert!(!table.rows.is_empty());
@@ -302,10 +315,7 @@ fn every_plot_of_the_sampling_has_its_table() {
 
 #[test]
 fn columns_are_named_once_and_rows_are_as_long() {
-    for view in VIEWS.iter().filter(|view| view.id != "tradeoff") {
-        if view.table.is_none() {
-            continue;
-        }
+    for view in tables() {
         let table = Table::of(&shown(), view.id);
         let mut names = table.header.clone();
         names.sort();

@@ -1,6 +1,6 @@
 //! The views as tiles, and the one cursor, by accessible label.
 
-use brdf_explorer::study::session::{Layout, Session, ViewId};
+use brdf_explorer::study::session::{Place, Session};
 use brdf_explorer::ui::app::App;
 use egui::{Role, vec2};
 use egui_kittest::Harness;
@@ -9,8 +9,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable};
 use super::{window, window_of};
 
 fn layout(harness: &Harness<'_, App>) -> Vec<&'static str> {
-    let views = harness.state().session.layout.views();
-    views.into_iter().map(ViewId::as_str).collect()
+    let views = &harness.state().session.views;
+    let kinds = views.ids().into_iter().filter_map(|id| views.kind(id));
+    kinds.map(|kind| kind.id).collect()
 }
 
 #[test]
@@ -67,8 +68,8 @@ fn a_dragged_tab_makes_tabs_of_two_views() {
     }
     harness.drop_at(to);
     harness.run();
-    let Layout::Tabs { views, .. } = &harness.state().session.layout else {
-        panic!("{:?}", harness.state().session.layout);
+    let Place::Tabs { views, .. } = harness.state().session.views.layout() else {
+        panic!("{:?}", harness.state().session.views);
     };
     assert_eq!(views.len(), 2);
     let text = harness.state().session.to_toml().unwrap();

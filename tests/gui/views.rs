@@ -2,8 +2,11 @@
 
 use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::Comparison;
-use brdf_explorer::study::session::{SamplingPlot, Session, Split};
-use brdf_explorer::study::views::VIEWS;
+use brdf_explorer::study::session::Session;
+use brdf_explorer::study::views::{
+    Deltas, OfKind, VIEWS, cartesian, hemisphere, reflectance, sampling, sphere, stability,
+    tradeoff,
+};
 use brdf_explorer::ui::app::App;
 use egui::{Pos2, Role, Theme, vec2};
 use egui_kittest::Harness;
@@ -17,6 +20,11 @@ fn alone(shown: Session, id: &str) -> Harness<'static, App> {
     picture(shown, Some(id), SIZE, Theme::Dark)
         .harness()
         .unwrap()
+}
+
+/// The options of the view of a kind.
+fn options<T: OfKind>(harness: &Harness<'_, App>) -> T {
+    harness.state().session.views.options()
 }
 
 fn click(harness: &mut Harness<'_, App>, label: &str) {
@@ -75,21 +83,12 @@ fn a_view_with_nothing_to_show_says_why() {
             .iter_mut()
             .for_each(|entry| entry.is_visible = false);
         let harness = alone(hidden, view.id);
-        // The lobes are meshes and the inspector is a table: they show their frames; trade-off and stability measure the
-        // selected material, shown or not.
-        if !["polar", "lobe3d", "inspector", "tradeoff", "stability"].contains(&view.id) {
-            assert!(
-                harness.query_by_label("Every material is hidden").is_some(),
-                "{}",
-                view.id
-            );
-        }
-        // A mirror has deltas to show in every other view.
+        let is_said = harness.query_by_label("Every material is hidden").is_some();
+        assert_eq!(is_said, view.says_hidden, "{}", view.id);
         let harness = alone(session(&["specular_reflection"]), view.id);
-        if view.id == "stability" {
-            let line = "All light is in Dirac deltas: f and the density are 0 everywhere";
-            assert!(harness.query_by_label(line).is_some(), "{}", view.id);
-        }
+        let line = "All light is in Dirac deltas: f and the density are 0 everywhere";
+        let is_said = harness.query_by_label(line).is_some();
+        assert_eq!(is_said, view.deltas == Deltas::Told, "{}", view.id);
     }
 }
 
@@ -98,13 +97,13 @@ fn the_cartesian_plot_changes_its_angle_and_compares() {
     let mut harness = alone(session(&["gold", "plastic"]), "cartesian");
     choose(&mut harness, "Over", "Half angle");
     assert_eq!(
-        harness.state().session.views.cartesian.abscissa,
+        options::<cartesian::Options>(&harness).abscissa,
         Abscissa::Half
     );
     click(&mut harness, "By decades");
     click(&mut harness, "To the peak");
     click(&mut harness, "Residual");
-    let options = harness.state().session.views.cartesian;
+    let options: cartesian::Options = options(&harness);
     assert!(options.is_logarithmic && options.is_normalised && options.is_residual);
     choose(&mut harness, "Reference", "Plastic");
     let materials = &harness.state().session.materials;
@@ -114,8 +113,9 @@ fn the_cartesian_plot_changes_its_angle_and_compares() {
 #[test]
 fn a_click_over_the_half_angle_holds_that_pair() {
     let mut shown = session(&["gold"]);
-    shown.views.cartesian.abscissa = Abscissa::Half;
-    shown.views.cartesian.fixed_deg = 20.0;
+    shown.views.each(|plot: &mut cartesian::Options| {
+        (plot.abscissa, plot.fixed_deg) = (Abscissa::Half, 20.0);
+    });
     let mut harness = alone(shown, "cartesian");
     let frame = canvas(&harness, "Cartesian plot");
     click_at(&mut harness, frame.center());
@@ -151,7 +151,7 @@ fn the_hemisphere_compares_with_the_reference() {
     let mut harness = alone(session(&["gold", "plastic", "phong"]), "hemisphere");
     choose(&mut harness, "Compared", "Difference");
     assert_eq!(
-        harness.state().session.views.hemisphere.comparison,
+        options::<hemisphere::Options>(&harness).comparison,
         Comparison::Difference
     );
     let shows = |harness: &Harness<'_, App>, name: &str| {
@@ -181,7 +181,7 @@ fn a_click_on_slice_and_sphere_holds_the_pair_there() {
     click_at(&mut harness, rect.center());
     let session = &harness.state().session;
     assert!(
-        (session.theta_deg - session.views.sphere.theta_deg).abs() < 1.5,
+        (session.theta_deg - options::<sphere::Options>(&harness).theta_deg).abs() < 1.5,
         "{}",
         session.theta_deg
     );
@@ -196,28 +196,29 @@ fn the_light_of_the_sphere_is_dragged_even_behind_it() {
         "Light of the sphere",
         rect.center() + vec2(0.25 * rect.width(), 0.0),
     );
-    let options = harness.state().session.views.sphere;
+    let shown: sphere::Options = options(&harness);
     assert!(
-        options.phi_deg.abs() < 1.0 && (options.theta_deg - 31.4).abs() < 2.0,
-        "{options:?}"
+        shown.phi_deg.abs() < 1.0 && (shown.theta_deg - 31.4).abs() < 2.0,
+        "{shown:?}"
     );
     drag(
         &mut harness,
         "Light of the sphere",
         rect.right_center() + vec2(20.0, 0.0),
     );
-    assert!(harness.state().session.views.sphere.theta_deg > 90.0);
+    assert!(options::<sphere::Options>(&harness).theta_deg > 90.0);
 }
 
 #[test]
 fn parts_plots_and_factors_are_chosen() {
     let mut harness = alone(session(&["plastic"]), "reflectance");
     choose(&mut harness, "Parts", "Lobe");
-    assert_eq!(harness.state().session.views.reflectance.split, Split::Lobe);
+    let shown: reflectance::Options = options(&harness);
+    assert_eq!(shown.split, reflectance::Split::Lobe);
     let mut harness = alone(session(&["plastic"]), "sampling");
-    for plot in SamplingPlot::ALL {
+    for plot in sampling::Plot::ALL {
         choose(&mut harness, "Show", plot.title());
-        assert_eq!(harness.state().session.views.sampling.plot, *plot);
+        assert_eq!(options::<sampling::Options>(&harness).plot, *plot);
     }
     let mut harness = alone(session(&["oren_nayar"]), "decomposition");
     choose(&mut harness, "Into", "D, G, F");
@@ -231,7 +232,7 @@ fn the_tradeoff_is_measured_when_asked_for_and_its_tolerance_is_dragged() {
     assert!(harness.query_by_label("The material as a whole").is_none());
     measure_tradeoff(&mut harness);
     assert!(harness.query_by_label("The material as a whole").is_some());
-    let before = harness.state().session.views.tradeoff.tolerance;
+    let before = options::<tradeoff::Options>(&harness).tolerance;
     let handle = harness
         .get_by_label("Line of the tolerance")
         .rect()
@@ -242,7 +243,7 @@ fn the_tradeoff_is_measured_when_asked_for_and_its_tolerance_is_dragged() {
         "Line of the tolerance",
         handle + vec2(0.0, 0.2 * frame.height()),
     );
-    let after = harness.state().session.views.tradeoff.tolerance;
+    let after = options::<tradeoff::Options>(&harness).tolerance;
     assert!(after < 0.5 * before, "{before} {after}");
 }
 
@@ -269,13 +270,16 @@ fn a_choice_of_the_tradeoff_becomes_a_material_that_is_compared() {
         materials.title(materials.selected())
     );
     assert_eq!(materials.title(materials.reference()), "Gold");
-    assert_eq!(session.views.hemisphere.comparison, Comparison::Difference);
+    let map: hemisphere::Options = session.views.options();
+    assert_eq!(map.comparison, Comparison::Difference);
 }
 
 #[test]
 fn the_advised_choice_is_used_and_then_offered_as_a_file() {
     let mut shown = session(&["gold"]);
-    shown.views.tradeoff.tolerance = 0.02;
+    shown
+        .views
+        .each(|tradeoff: &mut tradeoff::Options| tradeoff.tolerance = 0.02);
     let mut harness = alone(shown, "tradeoff");
     measure_tradeoff(&mut harness);
     assert!(harness.query_all_by_label("Save it…").next().is_none());
@@ -293,8 +297,8 @@ fn the_maps_of_errors_and_the_worst_points_lead_there() {
     let before = harness.state().session.clone();
     choose(&mut harness, "Across", "alpha");
     choose(&mut harness, "Up", "90° − θo (°)");
-    let options = harness.state().session.views.stability.clone();
-    assert_eq!([&*options.x, &*options.y], ["alpha", "grazing_o"]);
+    let shown: stability::Options = options(&harness);
+    assert_eq!([&*shown.x, &*shown.y], ["alpha", "grazing_o"]);
     // A place of the map is a width and an angle.
     let map = canvas(&harness, "Map of f64");
     click_at(&mut harness, map.left_top() + vec2(0.25, 0.5) * map.size());
@@ -315,7 +319,7 @@ fn formulas_on_trial_are_chosen() {
     let mut harness = alone(session(&["gold"]), "stability");
     choose(&mut harness, "Show", "Formulas on trial");
     choose(&mut harness, "Formula", "GTR1 distribution of a clear coat");
-    assert_eq!(harness.state().session.views.stability.trial, "gtr1");
+    assert_eq!(options::<stability::Options>(&harness).trial, "gtr1");
     assert!(harness.query_by_label("Textbook").is_some());
     let frame = canvas(&harness, "Formulas on trial");
     harness.hover_at(frame.center());

@@ -23,11 +23,12 @@ fn view(id: &str, clock: Option<Clock>) -> Harness<'static, App> {
         "rough_conductor:alpha_x=0.01,alpha_y=0.5",
         "car_paint",
     ];
-    let only = views::find(id).unwrap();
+    let mut session = session(&shown);
+    let only = session.views.show_alone(views::find(id).unwrap());
     let mut harness = Harness::builder()
         .with_size(egui::vec2(480.0, 360.0))
         .with_max_steps(32)
-        .build_eframe(|cc| App::new(cc, session(&shown), Some(only), clock));
+        .build_eframe(|cc| App::new(cc, session, Some(only), clock));
     harness.run_ok();
     harness
 }

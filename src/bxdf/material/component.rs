@@ -91,7 +91,7 @@ impl Component {
     /// metal.set("alpha_y", Value::Number(0.4))?;
     /// assert_eq!(metal.params().number("alpha_x"), 0.2);
     /// let line = metal.set("alpha_y", Value::Number(7.0)).unwrap_err().to_string();
-    /// assert_eq!(line, "rough_conductor: alpha_y = 7: allowed is 0.0001 to 1");
+    /// assert_eq!(line, "rough_conductor: alpha_y = 7: allowed is a number from 0.0001 to 1");
     /// # Ok(())
     /// # }
     /// ```

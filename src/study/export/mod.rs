@@ -2,8 +2,8 @@
 
 use crate::colors::{Theme, material_color};
 use crate::data::Data;
-use crate::session::{MaterialEntry, Session};
-use crate::views::ViewKind;
+use crate::session::{MaterialEntry, Session, ViewId};
+use crate::views::{Options, ViewKind, lobe3d};
 use bxdf::error::{Error, Result};
 use bxdf::material::file as material_file;
 
@@ -22,13 +22,16 @@ pub use format::{FORMATS, Format, FormatSpec, format_of};
 #[must_use]
 pub fn text(
     session: &Session,
-    view: Option<&ViewKind>,
+    view: Option<ViewId>,
     theme: Theme,
     format: Format,
 ) -> Option<Result<Vec<u8>>> {
     match format {
         Format::Png | Format::Svg => None,
-        Format::Csv => Some(numbers(session, view)),
+        Format::Csv => Some(numbers(
+            session,
+            view.and_then(|view| session.views.get(view)),
+        )),
         Format::Obj => Some(lobes(session, theme).map(|lobes| mesh::obj(&lobes).into_bytes())),
         Format::Gltf => Some(lobes(session, theme).map(|lobes| mesh::gltf(&lobes).into_bytes())),
         Format::Toml => Some(Ok(material_file::print(session.material()).into_bytes())),
@@ -41,20 +44,21 @@ pub fn refused(view: &ViewKind, problem: &str) -> Error {
     Error::parse(format!("view '{}'", view.id), problem)
 }
 
-fn numbers(session: &Session, view: Option<&ViewKind>) -> Result<Vec<u8>> {
-    let Some(view) = view else {
+fn numbers(session: &Session, options: Option<&Options>) -> Result<Vec<u8>> {
+    let Some(options) = options else {
         return Err(Error::parse(
             "export",
             "numbers are those of one view: name it with --view",
         ));
     };
-    let Some(fill) = view.table else {
+    let view = options.kind();
+    if !view.has_file(Format::Csv) {
         return Err(refused(
             view,
             "no table: its numbers are copied with its button",
         ));
-    };
-    let table = fill(session, &mut Data::new(None, || {}));
+    }
+    let table = options.table(session, &mut Data::new(None, || {}));
     if table.rows.is_empty() {
         let why = no_values(session).unwrap_or("no light leaves where it looks");
         return Err(refused(view, &format!("nothing to show: {why}")));
@@ -65,7 +69,7 @@ fn numbers(session: &Session, view: Option<&ViewKind>) -> Result<Vec<u8>> {
 /// The lobes of the materials shown, each with its colour.
 fn lobes(session: &Session, theme: Theme) -> Result<Vec<mesh::Named>> {
     let mut data = Data::new(None, || {});
-    let request = session.mesh_request();
+    let request = lobe3d::request(session);
     let named = session.materials.shown().map(|entry| mesh::Named {
         name: session.materials.title(entry),
         color: linear(material_color(theme, entry.slot())),

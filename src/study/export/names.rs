@@ -7,7 +7,7 @@
 
 use crate::session::Session;
 use bxdf_lab::analysis::Channel;
-use bxdf_lab::analysis::hemisphere::{Comparison, Quantity};
+use bxdf_lab::analysis::hemisphere::Quantity;
 
 /// The channels of a column, with what their names end in.
 pub const CHANNELS: [(Channel, &str); 4] = [
@@ -29,7 +29,8 @@ pub struct Names {
 }
 
 impl Names {
-    fn new(quantity: &str, unit: &str, is_logarithmic: bool) -> Self {
+    /// Of a quantity with its unit, shown by decades or not.
+    pub(crate) fn new(quantity: &str, unit: &str, is_logarithmic: bool) -> Self {
         let linear = if is_logarithmic { "linear" } else { "" };
         let words = [unit, linear].into_iter().filter(|word| !word.is_empty());
         Self {
@@ -48,72 +49,6 @@ impl Names {
             quantity.unit(),
             session.scale.is_logarithmic(),
         )
-    }
-
-    /// Of the Cartesian plot.
-    #[must_use]
-    pub fn of_cartesian(session: &Session) -> Self {
-        let options = session.views.cartesian;
-        let is_logarithmic = session.cartesian_request().scale.is_logarithmic();
-        let quantity = Quantity::of_f(session.with_cosine);
-        let compared = if options.is_residual {
-            "_difference"
-        } else {
-            ""
-        };
-        let (over, unit) = if options.is_normalised {
-            ("_over_peak", "")
-        } else {
-            ("", quantity.unit())
-        };
-        let name = format!("{}{compared}{over}", quantity.id());
-        Self {
-            delta: format!("delta{compared}"),
-            ..Self::new(&name, unit, is_logarithmic)
-        }
-    }
-
-    /// Of the decomposition into lobes.
-    #[must_use]
-    pub fn of_decomposition(session: &Session) -> Self {
-        let options = session.views.decomposition;
-        let quantity = Quantity::of_f(session.with_cosine);
-        let is_logarithmic = options.is_logarithmic && !options.is_stacked;
-        Self::new(quantity.id(), quantity.unit(), is_logarithmic)
-    }
-
-    /// Of the hemisphere.
-    #[must_use]
-    pub fn of_hemisphere(session: &Session) -> Self {
-        let options = session.views.hemisphere;
-        let quantity = options.quantity;
-        let (compared, unit) = match options.comparison {
-            Comparison::None => ("", quantity.unit()),
-            Comparison::Difference => ("_difference", quantity.unit()),
-            Comparison::Ratio => ("_ratio", ""),
-        };
-        let is_logarithmic = options.is_logarithmic && options.comparison == Comparison::None;
-        let delta = match quantity {
-            Quantity::F | Quantity::FCos => "delta",
-            Quantity::Pdf => "delta_probability",
-            Quantity::Weight => "delta_weight",
-        };
-        Self {
-            delta: format!("{delta}{compared}"),
-            ..Self::new(
-                &format!("{}{compared}", quantity.id()),
-                unit,
-                is_logarithmic,
-            )
-        }
-    }
-
-    /// Of the slice, which is of f whatever the other views show.
-    #[must_use]
-    pub fn of_slice(session: &Session) -> Self {
-        let quantity = Quantity::F;
-        let is_logarithmic = session.views.slice.is_logarithmic;
-        Self::new(quantity.id(), quantity.unit(), is_logarithmic)
     }
 
     /// The name of the column of a channel.

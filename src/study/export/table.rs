@@ -1,7 +1,6 @@
 //! The numbers behind each view as a table: one row for each point, the material first, units in the header.
 
 use super::names;
-use crate::data::Data;
 use crate::session::{MaterialEntry, Session};
 use bxdf::error::{Error, Result};
 use bxdf_lab::analysis::deltas::Stem;
@@ -23,9 +22,6 @@ pub struct Table {
     /// The rows, as long as the columns.
     pub rows: Vec<Vec<Value>>,
 }
-
-/// What fills a view's table.
-pub type Fill = fn(&Session, &mut Data) -> Table;
 
 impl Table {
     pub(crate) fn new(columns: &[&str]) -> Self {

@@ -1,12 +1,21 @@
 //! A session as the text of its file.
 
-use toml::de::{DeTable, DeValue};
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
+use toml::{Spanned, Table, Value};
 
 use super::Session;
+use super::layout::Place;
+use super::stored_views::{self, Written};
 use bxdf::error::{Error, Result};
 
 /// The version of the file. It grows when an older program would read a newer file as something else.
-pub const VERSION: u64 = 1;
+///
+/// In version 1 the views of the layout were ids, and the options of all kinds stood under `views`. Both versions are read by
+/// the same reader, and so are files without one.
+pub const VERSION: u64 = 2;
 
 /// The first line of what is written.
 const HEADER: &str = "# BRDF Explorer session";
@@ -14,27 +23,64 @@ const HEADER: &str = "# BRDF Explorer session";
 /// The last line of what begins with the first one.
 const END: &str = "# End of the session";
 
+/// A session that was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Read {
+    /// The session.
+    pub session: Session,
+    /// What is left out of it, because this program knows nothing of it: a line each.
+    pub left_out: Vec<String>,
+}
+
+/// The session with its views, as one table.
+#[derive(Serialize)]
+struct Whole<'a> {
+    #[serde(flatten)]
+    session: &'a Session,
+    #[serde(flatten)]
+    views: Written<'a>,
+}
+
 impl Session {
     /// Reads a session from TOML text; `place` names it in errors.
     ///
     /// # Errors
     /// [`Error::Parse`] where the text is no session, is one of a newer version or is cut off, and where a number is out of
     /// its range.
-    pub fn from_toml(text: &str, place: &str) -> Result<Self> {
+    pub fn read_toml(text: &str, place: &str) -> Result<Read> {
         if text.starts_with(HEADER) && !text.trim_end().ends_with(END) {
             return Err(Error::parse(
                 place,
                 "the file is cut off: its last line is missing",
             ));
         }
-        let text = without_version(text, place)?;
-        let mut session: Self =
-            toml::from_str(&text).map_err(|error| refused(&text, place, &error))?;
+        let refused = |error: toml::de::Error| refused(text, place, &error);
+        let mut document = DeTable::parse(text).map_err(refused)?;
+        let table = document.get_mut();
+        check_version(table.remove("version"), place)?;
+        let layout: Option<Place<Spanned<Value>>> = taken(table, "layout").map_err(refused)?;
+        let closed: Option<BTreeMap<String, Spanned<Table>>> =
+            taken(table, "views").map_err(refused)?;
+        let mut session = Self::deserialize(Deserializer::from(document)).map_err(refused)?;
+        let views = stored_views::read(layout, closed.unwrap_or_default());
+        let (views, left_out) =
+            views.map_err(|(start, problem)| Error::parse(located(text, place, start), problem))?;
+        session.views = views;
         let numbers = session.check_numbers();
         numbers.map_err(|problem| Error::parse(place, problem))?;
-        let layout = session.layout.validate();
-        layout.map_err(|problem| Error::parse(place, problem))?;
-        Ok(session)
+        let left_out = left_out.iter().map(|line| format!("{place}: {line}"));
+        Ok(Read {
+            left_out: left_out.collect(),
+            session,
+        })
+    }
+
+    /// [`Self::read_toml`], where nobody is to be told what is left out.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn from_toml(text: &str, place: &str) -> Result<Self> {
+        Self::read_toml(text, place).map(|read| read.session)
     }
 
     /// The session as TOML text, with the version and a last line by which a part of it is told from the whole.
@@ -42,48 +88,57 @@ impl Session {
     /// # Errors
     /// [`Error::Parse`] if it cannot be written, which no session does.
     pub fn to_toml(&self) -> Result<String> {
-        let body =
-            toml::to_string(self).map_err(|error| Error::parse("session", error.to_string()))?;
+        let written = |session| {
+            let views = Written::of(&self.views)?;
+            toml::to_string(&Whole { session, views })
+        };
+        let body = written(self).map_err(|error| Error::parse("session", error.to_string()))?;
         Ok(format!("{HEADER}\nversion = {VERSION}\n{body}\n{END}\n"))
     }
 }
 
-/// `text` with blanks in place of its version, which is no part of the session.
-fn without_version(text: &str, place: &str) -> Result<String> {
-    let document = DeTable::parse(text).map_err(|error| refused(text, place, &error))?;
-    let Some((key, value)) = document.get_ref().get_key_value("version") else {
-        return Ok(text.to_owned());
+/// Takes what stands under a key of the document.
+fn taken<'de, T: Deserialize<'de>>(
+    table: &mut DeTable<'de>,
+    key: &str,
+) -> std::result::Result<Option<T>, toml::de::Error> {
+    let value = table.remove(key).map(ValueDeserializer::from);
+    value.map(T::deserialize).transpose()
+}
+
+/// Refuses a version that is newer than this program.
+fn check_version(version: Option<Spanned<DeValue<'_>>>, place: &str) -> Result<()> {
+    let Some(version) = version else {
+        return Ok(());
     };
-    let version: Option<u64> = match value.get_ref() {
+    let version: Option<u64> = match version.get_ref() {
         DeValue::Integer(number) => number.as_str().parse().ok(),
         _ => None,
     };
     match version {
-        Some(0..=VERSION) => {}
+        Some(0..=VERSION) => Ok(()),
         Some(newer) => {
             let problem = format!(
                 "a session of version {newer}; this program reads up to version {VERSION}: a newer one is needed"
             );
-            return Err(Error::parse(place, problem));
+            Err(Error::parse(place, problem))
         }
-        None => return Err(Error::parse(place, "the version is no whole number")),
+        None => Err(Error::parse(place, "the version is no whole number")),
     }
-    let range = key.span().start..value.span().end;
-    let blanks = " ".repeat(range.len());
-    let mut text = text.to_owned();
-    text.replace_range(range, &blanks);
-    Ok(text)
 }
 
 /// What the reader of TOML refuses, with the line.
 fn refused(text: &str, place: &str, error: &toml::de::Error) -> Error {
     let start = error.span().map_or(0, |span| span.start);
+    let problem = error.message().replace('\n', " ");
+    Error::parse(located(text, place, start), problem)
+}
+
+/// `place`, with the line of the text that holds its byte `start`.
+fn located(text: &str, place: &str, start: usize) -> String {
     let before = text.get(..start).unwrap_or_default();
     let line = before.matches('\n').count() + 1;
-    Error::parse(
-        format!("{place}: line {line}"),
-        error.message().replace('\n', " "),
-    )
+    format!("{place}: line {line}")
 }
 
 #[cfg(test)]
@@ -141,12 +196,12 @@ mod tests {
                 "{part}"
             );
         }
-        let newer = text.replace("version = 1", "flavour = 3\nversion = 2");
+        let newer = text.replace("version = 2", "flavour = 3\nversion = 3");
         let line = Session::from_toml(&newer, "s.toml")
             .unwrap_err()
             .to_string();
         assert!(
-            line.starts_with("s.toml: a session of version 2;"),
+            line.starts_with("s.toml: a session of version 3;"),
             "{line}"
         );
         assert!(Session::from_toml("version = \"x\"", "s").is_err());

@@ -13,32 +13,31 @@ use bxdf_lab::analysis::{Channel, Hold, RadialScale};
 pub mod camera;
 mod entry;
 mod file;
+mod instances;
 mod layout;
 mod materials;
 mod numbers;
 mod questions;
+mod ready;
+mod section;
 mod size;
 mod stored;
+mod stored_views;
 mod text;
 mod ties;
-mod view_options;
 
 pub use camera::{HomeView, OrbitCamera};
 pub use entry::{EntryId, MaterialEntry, Slot};
-pub use file::VERSION;
-pub use layout::{Layout, Part, READY_LAYOUTS, ReadyLayout, ViewId};
+pub use file::{Read, VERSION};
+pub use instances::{MAX_VIEWS, Views};
+pub use layout::{Layout, Part, Place, ViewId};
 pub use materials::{MAX_MATERIALS, Materials};
-pub use numbers::{
-    DIFFERENCE_AZIMUTH, EXPOSURE, FIXED_ANGLE, LIGHT_PHI, LIGHT_THETA, PHI, ROTATION, SAMPLES_LOG2,
-    SECTION_PHI, SEED, THETA, TOLERANCE,
-};
+pub(crate) use numbers::azimuth;
+pub use numbers::{PHI, ROTATION, SECTION_PHI, THETA};
 pub use questions::SHARES;
+pub use ready::{READY_LAYOUTS, ReadyLayout};
+pub use section::Section;
 pub use text::{Opened, pasted, read};
-pub use view_options::{
-    Arrangement, CartesianOptions, Decomposed, DecompositionOptions, ErrorUnit, HemisphereOptions,
-    ReflectanceOptions, SamplingOptions, SamplingPlot, SliceOptions, SphereOptions, Split,
-    StabilityPlot, ViewOptions,
-};
 
 /// Which curves the polar plot draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -99,7 +98,7 @@ pub struct Session {
     pub phi_deg: f64,
     /// By how much the surface is turned about n, in degrees, -180..180.
     pub rotation_deg: f64,
-    /// Azimuth of the polar plot's section in degrees; the plane of incidence if absent.
+    /// Azimuth of the section that views share, in degrees; the plane of incidence if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub section_phi_deg: Option<f64>,
     /// The radial scale of both views.
@@ -114,10 +113,10 @@ pub struct Session {
     pub show_geometry: bool,
     /// The camera of the 3D view.
     pub camera: OrbitCamera,
-    /// Where the views stand.
-    pub layout: Layout,
-    /// What each view shows and how, as far as it is its own affair.
-    pub views: ViewOptions,
+    /// The views: where they stand, and what each shows as far as it is its own affair. In a file they have the keys
+    /// `layout` and `views`.
+    #[serde(skip)]
+    pub views: Views,
 }
 
 impl Default for Session {
@@ -137,8 +136,7 @@ impl Default for Session {
             lobe_surface: LobeSurface::Automatic,
             show_geometry: false,
             camera: OrbitCamera::default(),
-            layout: Layout::default(),
-            views: ViewOptions::default(),
+            views: Views::default(),
         }
     }
 }
@@ -242,21 +240,6 @@ impl Session {
         }
     }
 
-    /// The azimuth of the polar plot's section, in degrees, -90 (excluded) to 90: the half that is drawn to the right.
-    #[must_use]
-    pub fn section_azimuth_deg(&self) -> f64 {
-        folded_deg(self.section_phi_deg.unwrap_or(self.phi_deg))
-    }
-
-    /// Whether the section is the plane of incidence.
-    #[must_use]
-    pub fn section_holds_held(&self) -> bool {
-        let difference = (self.phi_deg - self.section_azimuth_deg()).rem_euclid(180.0);
-        self.theta_deg == 0.0
-            || self.theta_deg == 180.0
-            || difference.min(180.0 - difference) < 1e-9
-    }
-
     /// The name of the held direction.
     #[must_use]
     pub fn held_name(&self) -> &'static str {
@@ -329,24 +312,5 @@ mod tests {
             Session::from_toml("hold = \"wo\"", "s").unwrap().hold,
             Hold::Viewer
         );
-    }
-
-    #[test]
-    fn the_section_keeps_its_right_side_while_the_light_crosses_n() {
-        let mut session = Session::default();
-        assert_eq!(session.section_azimuth_deg(), 0.0);
-        session.set_held(frame::direction_from_degrees(20.0, 0.0));
-        assert_eq!(
-            (
-                session.theta_deg,
-                session.phi_deg,
-                session.section_azimuth_deg()
-            ),
-            (20.0, 0.0, 0.0)
-        );
-        session.set_held(DVec3::Z);
-        assert_eq!(session.phi_deg, 0.0);
-        session.phi_deg = -90.0;
-        assert_eq!(session.section_azimuth_deg(), 90.0);
     }
 }

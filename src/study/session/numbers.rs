@@ -1,11 +1,11 @@
 //! Every number of a session, with what it may be: the one place for its control and for the reader of its file.
 
 use super::{Session, folded_deg, wrapped_deg};
-use crate::number::NumberSpec;
+use crate::number::{NumberSpec, Numbers, are_allowed, checked, keep};
 use bxdf_lab::analysis::RadialScale;
 
 /// An angle of a full turn, stored within half a turn either way.
-const fn azimuth(name: &'static str) -> NumberSpec {
+pub(crate) const fn azimuth(name: &'static str) -> NumberSpec {
     NumberSpec::new(name, [-360.0, 360.0])
         .unit("degrees")
         .folded([-180.0, 180.0], wrapped_deg)
@@ -23,45 +23,16 @@ pub static SECTION_PHI: NumberSpec = NumberSpec::new("section_phi_deg", [-360.0,
     .folded([-90.0, 90.0], folded_deg);
 /// The decades of a logarithmic radius: beyond 16 a double has no digits left to show.
 static DECADES: NumberSpec = NumberSpec::new("scale.logarithmic.decades", [1.0, 16.0]);
-/// The angle that the Cartesian plot holds.
-pub static FIXED_ANGLE: NumberSpec =
-    NumberSpec::new("views.cartesian.fixed_deg", [0.0, 90.0]).unit("degrees");
-/// The azimuth of the difference vector in the slice: beyond half a turn the directions change places.
-pub static DIFFERENCE_AZIMUTH: NumberSpec =
-    NumberSpec::new("views.slice.phi_d_deg", [0.0, 180.0]).unit("degrees");
-/// The angle of the sphere's light from the viewer.
-pub static LIGHT_THETA: NumberSpec =
-    NumberSpec::new("views.sphere.theta_deg", [0.0, 180.0]).unit("degrees");
-/// The azimuth of the sphere's light.
-pub static LIGHT_PHI: NumberSpec = azimuth("views.sphere.phi_deg");
-/// The exposure of the sphere: beyond six stops all is black or white.
-pub static EXPOSURE: NumberSpec =
-    NumberSpec::new("views.sphere.exposure", [-6.0, 6.0]).unit("stops");
-/// The number of samples as a power of 2: fewer show nothing, more do not follow a drag.
-pub static SAMPLES_LOG2: NumberSpec =
-    NumberSpec::new("views.sampling.count_log2", [6.0, 16.0]).whole();
-/// The seed of the random numbers, of 32 bits.
-pub static SEED: NumberSpec =
-    NumberSpec::new("views.sampling.seed", [0.0, 4_294_967_295.0]).whole();
-/// The tolerated error of the trade-off: below a few roundings of f64 no choice can be, above 1 all are.
-pub static TOLERANCE: NumberSpec = NumberSpec::new("views.tradeoff.tolerance", [1e-12, 1.0]);
 /// The share of a part of a row or a column: beyond this one neighbour is thinner than a line of any screen.
 pub(super) static SHARE: NumberSpec = NumberSpec::new("share", [1e-4, 1e4]);
 
 impl Session {
-    /// Every number that gestures and files set, with what it may be. Materials, camera and layout check their own.
-    fn numbers(&mut self) -> Vec<(&'static NumberSpec, &mut f64)> {
-        let views = &mut self.views;
+    /// Every number that gestures and files set, with what it may be. Materials, camera and views check their own.
+    fn numbers(&mut self) -> Numbers<'_> {
         let mut all = vec![
             (&THETA, &mut self.theta_deg),
             (&PHI, &mut self.phi_deg),
             (&ROTATION, &mut self.rotation_deg),
-            (&FIXED_ANGLE, &mut views.cartesian.fixed_deg),
-            (&DIFFERENCE_AZIMUTH, &mut views.slice.phi_d_deg),
-            (&LIGHT_THETA, &mut views.sphere.theta_deg),
-            (&LIGHT_PHI, &mut views.sphere.phi_deg),
-            (&EXPOSURE, &mut views.sphere.exposure),
-            (&TOLERANCE, &mut views.tradeoff.tolerance),
         ];
         all.extend(self.section_phi_deg.as_mut().map(|phi| (&SECTION_PHI, phi)));
         if let RadialScale::Logarithmic { decades } = &mut self.scale {
@@ -75,28 +46,16 @@ impl Session {
     /// # Errors
     /// One sentence that names the number, its value and what is allowed.
     pub(super) fn check_numbers(&mut self) -> Result<(), String> {
-        SAMPLES_LOG2.checked(f64::from(self.views.sampling.count_log2))?;
-        for (spec, value) in self.numbers() {
-            *value = spec.checked(*value)?;
-        }
-        Ok(())
+        checked(self.numbers())?;
+        self.views.check_numbers()
     }
 
     /// Takes each number that is not allowed from `before`: whatever a gesture came to, no session holds what its own file
     /// could not be read with. (With what is no number a session is not even equal to itself.)
     pub fn keep_allowed(&mut self, before: &Self) {
-        let is_allowed = |(spec, value): &(&NumberSpec, &mut f64)| spec.admits(**value);
-        if self.numbers().iter().all(is_allowed) {
-            return;
-        }
-        let mut before = before.clone();
-        let old = before.numbers();
-        for (spec, value) in self.numbers() {
-            let known = old.iter().find(|(other, _)| other.name == spec.name);
-            if !spec.admits(*value) {
-                let [low, _] = spec.range;
-                *value = known.map_or(low, |(_, old)| **old);
-            }
+        self.views.keep_allowed(&before.views);
+        if !are_allowed(&self.numbers()) {
+            keep(self.numbers(), &before.clone().numbers());
         }
     }
 }
@@ -106,17 +65,29 @@ mod tests {
     use toml::Value;
 
     use super::*;
-    use crate::session::{Layout, READY_LAYOUTS};
+    use crate::session::Place;
+    use crate::views::{Options, OwnSection, VIEWS, cartesian, sphere};
 
-    /// A session in whose file every number stands.
+    /// A session in whose file every number stands: every kind of view is open, with a section of its own where it has one.
     fn full() -> Session {
         let mut session = Session {
             section_phi_deg: Some(30.0),
             scale: RadialScale::Logarithmic { decades: 4.0 },
             ..Session::default()
         };
-        session.layout = (READY_LAYOUTS[1].layout)();
-        assert!(matches!(session.layout, Layout::Column(_)));
+        let options = VIEWS.iter().map(|kind| {
+            let mut options = Options::of(kind);
+            if let Some(section) = options.own_section() {
+                *section = OwnSection(Some(20.0));
+            }
+            options
+        });
+        session.views = Place::column(options.map(Place::View).collect()).into();
+        let closed = cartesian::Options {
+            fixed_deg: 10.0,
+            ..cartesian::Options::default()
+        };
+        session.views.put_away(closed.into());
         session
     }
 
@@ -155,7 +126,13 @@ mod tests {
         found.retain(|path| path != &["version"]);
         let names: Vec<String> = found.iter().map(|path| path.join(".")).collect();
         assert!(names.len() > 20, "{names:?}");
-        for expected in ["views.cartesian.fixed_deg", "camera.yaw", "section_phi_deg"] {
+        for expected in [
+            "views.cartesian.fixed_deg",
+            "layout.column.2.place.view.fixed_deg",
+            "layout.column.0.place.view.own_section_deg",
+            "camera.yaw",
+            "section_phi_deg",
+        ] {
             assert!(names.iter().any(|name| name == expected), "{names:?}");
         }
         for path in &found {
@@ -191,15 +168,19 @@ mod tests {
         for (_, value) in session.numbers() {
             *value = f64::NAN;
         }
+        session.views.each(|sphere: &mut sphere::Options| {
+            sphere.exposure = f64::NAN;
+        });
         session.keep_allowed(&before);
         assert_eq!(session, before);
-        let mut session = before.clone();
         session.theta_deg = f64::INFINITY;
-        session.views.sphere.exposure = 2.0;
+        session.views.each(|sphere: &mut sphere::Options| {
+            sphere.exposure = 2.0;
+            sphere.phi_deg = f64::INFINITY;
+        });
         session.keep_allowed(&before);
-        assert_eq!(
-            (session.theta_deg, session.views.sphere.exposure),
-            (50.0, 2.0)
-        );
+        let sphere: sphere::Options = session.views.options();
+        assert_eq!((session.theta_deg, sphere.exposure), (50.0, 2.0));
+        assert_eq!(sphere.phi_deg, 135.0);
     }
 }

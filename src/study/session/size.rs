@@ -9,7 +9,13 @@ use bxdf::error::Result;
 /// More than a lobe has as text besides its table: a dozen colours of three numbers.
 const LOBE_ROOM: u64 = 4 << 10;
 
-/// More than a session has as text besides its materials and the names in it.
+/// More than a view has as text besides the texts in its options: where it stands and a dozen numbers.
+const VIEW_ROOM: u64 = 8 << 10;
+
+/// More than stands around a text in a list.
+const TEXT_ROOM: u64 = 16;
+
+/// More than a session has as text besides its materials, its views and the names in it.
 const REST_ROOM: u64 = 64 << 10;
 
 /// The most bytes that a byte takes where TOML writes it as an escape sequence.
@@ -30,10 +36,13 @@ impl Session {
 
     /// At least as many bytes as its text has.
     fn text_bound(&self) -> u64 {
-        let names = self.locked.iter().chain(&self.views.tradeoff.left_out);
-        let names: u64 = names.map(|name| escaped(name)).sum();
+        let names: u64 = self.locked.iter().map(|name| escaped(name)).sum();
+        let views = self.views.iter().map(|options| {
+            let texts = options.texts().into_iter();
+            VIEW_ROOM + texts.map(|text| TEXT_ROOM + escaped(text)).sum::<u64>()
+        });
         let materials: u64 = self.materials.iter().map(entry_bound).sum();
-        REST_ROOM + names + materials
+        REST_ROOM + names + views.sum::<u64>() + materials
     }
 }
 

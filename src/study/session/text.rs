@@ -4,6 +4,7 @@ use toml::de::DeTable;
 
 use super::Session;
 use super::entry::MaterialEntry;
+use super::file::Read;
 use crate::files;
 use bxdf::Material;
 use bxdf::error::{Error, Result};
@@ -15,10 +16,18 @@ const PLACE: &str = "clipboard";
 /// What a text or a file holds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Opened {
-    /// A whole session.
-    Session(Box<Session>),
+    /// A whole session, and what is left out of it.
+    Session(Box<Read>),
     /// A material, to be added.
     Material(Box<Material>),
+}
+
+impl From<Session> for Opened {
+    /// All of a session.
+    fn from(session: Session) -> Self {
+        let left_out = Vec::new();
+        Self::Session(Box::new(Read { session, left_out }))
+    }
 }
 
 impl MaterialEntry {
@@ -70,8 +79,8 @@ pub fn read(text: &str, place: &str) -> Result<Opened> {
         let material = file::parse(text, place)?;
         Ok(Opened::Material(Box::new(material)))
     } else {
-        let session = Session::from_toml(text, place)?;
-        Ok(Opened::Session(Box::new(session)))
+        let read = Session::read_toml(text, place)?;
+        Ok(Opened::Session(Box::new(read)))
     }
 }
 
@@ -95,7 +104,7 @@ mod tests {
         session.materials.selected_mut().is_visible = false;
         session.theta_deg = 12.5;
         let text = session.to_toml().unwrap();
-        let opened = Opened::Session(Box::new(session));
+        let opened = Opened::from(session);
         assert_eq!(pasted(&text).unwrap(), opened);
         assert_eq!(read(&text, "s.toml").unwrap(), opened);
     }

@@ -160,7 +160,10 @@ impl Own {
             });
         }
         let session = match found {
-            Some((_, Opened::Session(session))) => *session,
+            Some((_, Opened::Session(read))) => {
+                said.extend(read.left_out);
+                read.session
+            }
             Some((_, Opened::Material(material))) => Session::of(*material),
             None => start,
         };

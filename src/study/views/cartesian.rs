@@ -1,48 +1,143 @@
 //! f over an angle.
 
-use super::kind::ViewKind;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::section::OwnSection;
 use crate::data::Data;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, shown};
-use crate::session::Session;
-use bxdf_lab::analysis::cartesian::{Abscissa, Curve};
+use crate::number::{NumberSpec, Numbers};
+use crate::session::{DECADES, Session};
+use bxdf_lab::analysis::RadialScale;
+use bxdf_lab::analysis::cartesian::{Abscissa, Curve, Request};
+use bxdf_lab::analysis::hemisphere::Quantity;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "cartesian",
     title: "Cartesian plot",
-    is_of_held: |session| session.views.cartesian.abscissa == Abscissa::Free,
     what_you_see: "The value f over an angle, as papers print it: peaks, tails and what two \
         models differ by",
-    table: Some(table),
+    says_hidden: true,
+    deltas: Deltas::Marked,
+    with_cosine: true,
+    table: TableKind::Computed,
     is_mesh: false,
 };
 
-/// Of the Cartesian plot: the curve.
-fn table(session: &Session, data: &mut Data) -> Table {
-    let options = session.views.cartesian;
-    let angle = match options.abscissa {
-        Abscissa::Free => "angle (degrees)",
-        Abscissa::Half => "theta_h (degrees)",
-        Abscissa::Difference => "theta_d (degrees)",
-    };
-    let names = Names::of_cartesian(session);
-    let mut table = Table::named(names.columns(&["material", angle]));
-    let reference = options.is_residual.then(|| session.materials.reference());
-    for (entry, title) in shown(session) {
-        let curve = data.compare(session, entry, reference, session.cartesian_request());
-        let peaks = options.is_normalised.then(|| peaks(&curve));
-        for point in curve.lines.iter().flatten() {
-            let row = names::value(point.value);
-            let over = |(index, x): (usize, f64)| {
-                let peak = peaks.and_then(|peaks| peaks.get(index).copied());
-                x / peak.filter(|peak| *peak > 0.0).unwrap_or(1.0)
-            };
-            let row = row.enumerate().map(over);
-            table.push(&title, std::iter::once(point.x_deg).chain(row));
+/// The angle that is held.
+pub static FIXED_ANGLE: NumberSpec =
+    NumberSpec::new("cartesian.fixed_deg", [0.0, 90.0]).unit("degrees");
+
+/// How f is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {
+    /// Over which angle.
+    pub abscissa: Abscissa,
+    /// The angle that is held, where there is one: theta_d or theta_h, in degrees.
+    pub fixed_deg: f64,
+    /// Whether values go by decades.
+    pub is_logarithmic: bool,
+    /// Whether each curve is divided by its peak.
+    pub is_normalised: bool,
+    /// Whether the difference from the reference is shown.
+    pub is_residual: bool,
+    /// A section of its own.
+    #[serde(skip_serializing_if = "OwnSection::is_absent")]
+    pub own_section_deg: OwnSection,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            abscissa: Abscissa::default(),
+            fixed_deg: 30.0,
+            is_logarithmic: false,
+            is_normalised: false,
+            is_residual: false,
+            own_section_deg: OwnSection::default(),
         }
-        table.push_stems(&title, &curve.stems);
     }
-    table
+}
+
+impl Options {
+    /// The curve; its residual is that against the reference.
+    #[must_use]
+    pub fn request(&self, session: &Session) -> Request {
+        Request {
+            abscissa: self.abscissa,
+            fixed_deg: self.fixed_deg,
+            phi: self.own_section_deg.of(session).phi(),
+            with_cosine: session.with_cosine,
+            scale: if self.is_logarithmic && !self.is_residual {
+                RadialScale::Logarithmic { decades: DECADES }
+            } else {
+                RadialScale::Linear
+            },
+            is_residual: self.is_residual,
+        }
+    }
+
+    /// What the values are called.
+    fn names(&self, session: &Session) -> Names {
+        let is_logarithmic = self.request(session).scale.is_logarithmic();
+        let quantity = Quantity::of_f(session.with_cosine);
+        let compared = if self.is_residual { "_difference" } else { "" };
+        let (over, unit) = if self.is_normalised {
+            ("_over_peak", "")
+        } else {
+            ("", quantity.unit())
+        };
+        let name = format!("{}{compared}{over}", quantity.id());
+        Names {
+            delta: format!("delta{compared}"),
+            ..Names::new(&name, unit, is_logarithmic)
+        }
+    }
+}
+
+impl ViewOptions for Options {
+    fn is_of_held(&self) -> bool {
+        self.abscissa == Abscissa::Free
+    }
+
+    fn own_section(&mut self) -> Option<&mut OwnSection> {
+        Some(&mut self.own_section_deg)
+    }
+
+    fn numbers(&mut self) -> Numbers<'_> {
+        let mut all = vec![(&FIXED_ANGLE, &mut self.fixed_deg)];
+        all.extend(self.own_section_deg.number());
+        all
+    }
+
+    /// The curve.
+    fn table(&self, session: &Session, data: &mut Data) -> Table {
+        let angle = match self.abscissa {
+            Abscissa::Free => "angle (degrees)",
+            Abscissa::Half => "theta_h (degrees)",
+            Abscissa::Difference => "theta_d (degrees)",
+        };
+        let names = self.names(session);
+        let mut table = Table::named(names.columns(&["material", angle]));
+        let reference = self.is_residual.then(|| session.materials.reference());
+        for (entry, title) in shown(session) {
+            let curve = data.compare(session, entry, reference, self.request(session));
+            let peaks = self.is_normalised.then(|| peaks(&curve));
+            for point in curve.lines.iter().flatten() {
+                let row = names::value(point.value);
+                let over = |(index, x): (usize, f64)| {
+                    let peak = peaks.and_then(|peaks| peaks.get(index).copied());
+                    x / peak.filter(|peak| *peak > 0.0).unwrap_or(1.0)
+                };
+                let row = row.enumerate().map(over);
+                table.push(&title, std::iter::once(point.x_deg).chain(row));
+            }
+            table.push_stems(&title, &curve.stems);
+        }
+        table
+    }
 }
 
 /// The largest magnitude of each channel of a curve.

@@ -1,13 +1,24 @@
 //! Every number at the cursor.
 
-use super::kind::ViewKind;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "inspector",
     title: "Inspector",
-    is_of_held: |_| true,
     what_you_see: "Every material's numbers at the held direction and the one last pointed at \
         in any view; at first the mirror direction",
-    table: None,
+    says_hidden: false,
+    deltas: Deltas::Marked,
+    with_cosine: false,
+    table: TableKind::None,
     is_mesh: false,
 };
+
+/// There is nothing to choose.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {}
+
+impl ViewOptions for Options {}

@@ -1,32 +1,69 @@
 //! A section of the lobes.
 
-use super::kind::ViewKind;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::section::OwnSection;
 use crate::data::Data;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
+use crate::number::Numbers;
 use crate::session::Session;
-use bxdf_lab::analysis::polar::Point;
+use bxdf_lab::analysis::polar::{Point, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "polar",
     title: "Polar plot",
-    is_of_held: |_| true,
     what_you_see: "A section of the lobe through the normal n: the length of a ray is the \
         value f in its direction",
-    table: Some(table),
+    says_hidden: false,
+    deltas: Deltas::Marked,
+    with_cosine: true,
+    table: TableKind::Computed,
     is_mesh: false,
 };
 
-/// Of the polar plot: the section.
-fn table(session: &Session, data: &mut Data) -> Table {
-    let columns = ["material", "angle (degrees)"];
-    let mut table = Table::named(Names::of_lobe(session).columns(&columns));
-    for (entry, title) in shown(session) {
-        let section = data.ask(session, entry, session.section_request());
-        for Point { angle, value } in section.lower.iter().chain(&section.upper) {
-            table.push_value(&title, [angle.to_degrees()], *value);
+/// Which section is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {
+    /// A section of its own.
+    #[serde(skip_serializing_if = "OwnSection::is_absent")]
+    pub own_section_deg: OwnSection,
+}
+
+impl Options {
+    /// The section.
+    #[must_use]
+    pub fn request(&self, session: &Session) -> Request {
+        Request {
+            phi: self.own_section_deg.of(session).phi(),
+            with_cosine: session.with_cosine,
+            scale: session.scale,
         }
-        table.push_stems(&title, &section.stems);
     }
-    table
+}
+
+impl ViewOptions for Options {
+    fn own_section(&mut self) -> Option<&mut OwnSection> {
+        Some(&mut self.own_section_deg)
+    }
+
+    fn numbers(&mut self) -> Numbers<'_> {
+        self.own_section_deg.number().into_iter().collect()
+    }
+
+    /// The section.
+    fn table(&self, session: &Session, data: &mut Data) -> Table {
+        let columns = ["material", "angle (degrees)"];
+        let mut table = Table::named(Names::of_lobe(session).columns(&columns));
+        for (entry, title) in shown(session) {
+            let section = data.ask(session, entry, self.request(session));
+            for Point { angle, value } in section.lower.iter().chain(&section.upper) {
+                table.push_value(&title, [angle.to_degrees()], *value);
+            }
+            table.push_stems(&title, &section.stems);
+        }
+        table
+    }
 }

@@ -1,61 +1,166 @@
 //! Where samplers send directions.
 
-use super::kind::ViewKind;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::section::OwnSection;
+use super::words::words;
 use crate::data::Data;
 use crate::export::table::{Table, Value, shown};
-use crate::session::SamplingPlot;
+use crate::number::{NumberSpec, Numbers};
 use crate::session::Session;
-use bxdf_lab::analysis::sampling::Study;
+use bxdf_lab::analysis::sampling::{FIRST_SEED, Part, Request, Study, WarpRequest};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "sampling",
     title: "Sampling",
-    is_of_held: |_| true,
     what_you_see: "Where the sampler sends directions for the held one: good samplers follow \
         f cos and weigh all samples alike",
-    table: Some(table),
+    says_hidden: true,
+    deltas: Deltas::Marked,
+    with_cosine: false,
+    table: TableKind::Computed,
     is_mesh: false,
 };
 
-/// Of the sampling: what is shown of it, the samples themselves where that is drawn from them.
-fn table(session: &Session, data: &mut Data) -> Table {
-    let plot = session.views.sampling.plot;
-    let mut table = Table::new(columns(plot));
-    for (entry, title) in shown(session) {
-        if plot == SamplingPlot::Warp {
-            let warps = data.ask(session, entry, session.warp_request());
-            for warp in warps.iter() {
-                for (index, line) in warp.lines.iter().enumerate() {
-                    for w in line {
-                        let place = [index as f64, w.x, w.y, w.z].map(Value::Number);
-                        let words = [&title, warp.lobe.category.id(), warp.lobe.name];
-                        let words = words.map(|word| Value::Text(word.to_owned()));
-                        table.rows.push(words.into_iter().chain(place).collect());
-                    }
-                }
-            }
-        } else {
-            let study = data.ask(session, entry, session.sampling_request());
-            push(&mut table, &title, &study, plot);
-        }
+/// The number of samples as a power of 2: fewer show nothing, more do not follow a drag.
+pub static SAMPLES_LOG2: NumberSpec = NumberSpec::new("sampling.count_log2", [6.0, 16.0]).whole();
+/// The seed of the random numbers, of 32 bits.
+pub static SEED: NumberSpec = NumberSpec::new("sampling.seed", [0.0, 4_294_967_295.0]).whole();
+
+/// How the sampling bends a grid of random numbers: its cells along either side.
+pub const WARP: WarpRequest = WarpRequest { cells: 16 };
+
+words! {
+    /// What the sampling view shows.
+    Plot {
+        /// The samples on the disc.
+        #[default]
+        Points = "Samples",
+        /// The images of a regular grid of random numbers.
+        Warp = "Warp of the square",
+        /// The density and f cos in the section.
+        Curves = "pdf and f cos",
+        /// How many samples fell where, against the density.
+        Histogram = "Histogram",
+        /// What samples weigh.
+        Weights = "Weights",
+        /// What the estimate of the reflectance varies by.
+        Estimators = "Estimators",
     }
-    table
 }
 
-fn columns(plot: SamplingPlot) -> &'static [&'static str] {
+impl Plot {
+    /// Whether it shows directions, which may lie on the dome too.
+    #[must_use]
+    pub const fn shows_directions(self) -> bool {
+        matches!(self, Self::Points | Self::Warp)
+    }
+}
+
+/// How the sampling is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {
+    /// What of it.
+    pub plot: Plot,
+    /// The number of samples, as a power of 2.
+    pub count_log2: u8,
+    /// The seed of the random numbers, as of the command line.
+    pub seed: u32,
+    /// Whether samples lie on the dome, seen as the 3D view sees it, rather than on a disc.
+    pub is_dome: bool,
+    /// A section of its own, where one is shown.
+    #[serde(skip_serializing_if = "OwnSection::is_absent")]
+    pub own_section_deg: OwnSection,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            plot: Plot::default(),
+            count_log2: 12,
+            seed: FIRST_SEED,
+            is_dome: false,
+            own_section_deg: OwnSection::default(),
+        }
+    }
+}
+
+impl Options {
+    /// The study of the sampling.
+    #[must_use]
+    pub fn request(&self, session: &Session) -> Request {
+        let [least, most] = SAMPLES_LOG2.range.map(|log2| log2 as u8);
+        Request {
+            part: match self.plot {
+                Plot::Points | Plot::Warp => Part::Points,
+                Plot::Histogram => Part::Histogram,
+                Plot::Weights => Part::Weights,
+                Plot::Curves => Part::Densities,
+                Plot::Estimators => Part::Estimators,
+            },
+            count: 1 << self.count_log2.clamp(least, most),
+            seed: u64::from(self.seed),
+            phi: self.own_section_deg.of(session).phi(),
+        }
+    }
+}
+
+impl ViewOptions for Options {
+    /// The other plots are of all directions.
+    fn own_section(&mut self) -> Option<&mut OwnSection> {
+        (self.plot == Plot::Curves).then_some(&mut self.own_section_deg)
+    }
+
+    fn numbers(&mut self) -> Numbers<'_> {
+        self.own_section_deg.number().into_iter().collect()
+    }
+
+    fn check_whole(&self) -> Result<(), String> {
+        SAMPLES_LOG2.checked(f64::from(self.count_log2)).map(|_| ())
+    }
+
+    /// What is shown of it, the samples themselves where that is drawn from them.
+    fn table(&self, session: &Session, data: &mut Data) -> Table {
+        let plot = self.plot;
+        let mut table = Table::new(columns(plot));
+        for (entry, title) in shown(session) {
+            if plot == Plot::Warp {
+                let warps = data.ask(session, entry, WARP);
+                for warp in warps.iter() {
+                    for (index, line) in warp.lines.iter().enumerate() {
+                        for w in line {
+                            let place = [index as f64, w.x, w.y, w.z].map(Value::Number);
+                            let words = [&title, warp.lobe.category.id(), warp.lobe.name];
+                            let words = words.map(|word| Value::Text(word.to_owned()));
+                            table.rows.push(words.into_iter().chain(place).collect());
+                        }
+                    }
+                }
+            } else {
+                let study = data.ask(session, entry, self.request(session));
+                push(&mut table, &title, &study, plot);
+            }
+        }
+        table
+    }
+}
+
+fn columns(plot: Plot) -> &'static [&'static str] {
     match plot {
-        SamplingPlot::Points => &[
+        Plot::Points => &[
             "material", "u0", "u1", "uc", "w_x", "w_y", "w_z", "weight_r", "weight_g", "weight_b",
             "delta",
         ],
-        SamplingPlot::Warp => &["material", "category", "lobe", "line", "w_x", "w_y", "w_z"],
-        SamplingPlot::Curves => &[
+        Plot::Warp => &["material", "category", "lobe", "line", "w_x", "w_y", "w_z"],
+        Plot::Curves => &[
             "material",
             "angle (degrees)",
             "pdf (1/sr)",
             "f_cos_over_integral_luminance (1/sr)",
         ],
-        SamplingPlot::Histogram => &[
+        Plot::Histogram => &[
             "material",
             "theta_low (degrees)",
             "theta_high (degrees)",
@@ -65,40 +170,40 @@ fn columns(plot: SamplingPlot) -> &'static [&'static str] {
             "observed",
             "expected",
         ],
-        SamplingPlot::Weights => &["material", "weight_low", "weight_high", "samples"],
-        SamplingPlot::Estimators => &["material", "sampling", "mean", "standard_error", "variance"],
+        Plot::Weights => &["material", "weight_low", "weight_high", "samples"],
+        Plot::Estimators => &["material", "sampling", "mean", "standard_error", "variance"],
     }
 }
 
 /// Adds what `plot` shows of a study.
-fn push(table: &mut Table, title: &str, study: &Study, plot: SamplingPlot) {
+fn push(table: &mut Table, title: &str, study: &Study, plot: Plot) {
     match plot {
-        SamplingPlot::Points | SamplingPlot::Warp => {
+        Plot::Points | Plot::Warp => {
             for point in &study.points {
                 let ([u0, u1], w, [r, g, b]) = (point.u, point.direction, point.weight);
                 let delta = f64::from(u8::from(point.is_delta));
                 table.push(title, [u0, u1, point.uc, w.x, w.y, w.z, r, g, b, delta]);
             }
         }
-        SamplingPlot::Curves => {
+        Plot::Curves => {
             for one in &study.densities {
                 table.push(title, [one.angle_deg, one.pdf, one.f_cos]);
             }
         }
-        SamplingPlot::Histogram => {
+        Plot::Histogram => {
             for cell in &study.histogram.cells {
                 let angles = cell.theta.into_iter().chain(cell.phi).map(f64::to_degrees);
                 let counts = [cell.solid_angle, cell.observed as f64, cell.expected];
                 table.push(title, angles.chain(counts));
             }
         }
-        SamplingPlot::Weights => {
+        Plot::Weights => {
             for bin in &study.weights.bins {
                 let [low, high] = bin.log10.map(|x| 10_f64.powf(x));
                 table.push(title, [low, high, bin.count as f64]);
             }
         }
-        SamplingPlot::Estimators => {
+        Plot::Estimators => {
             for one in &study.estimators {
                 let words = [title, one.name].map(|word| Value::Text(word.to_owned()));
                 let numbers = [one.mean, one.standard_error, one.variance].map(Value::Number);

@@ -1,47 +1,148 @@
 //! The lit sphere.
 
-use super::kind::ViewKind;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::words::words;
 use crate::data::Data;
 use crate::export::table::{Table, shown};
-use crate::session::Session;
+use crate::number::{NumberSpec, Numbers};
+use crate::session::{Session, azimuth};
+use bxdf_lab::analysis::sphere::{Light, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "sphere",
     title: "Lit sphere",
-    is_of_held: |_| false,
     what_you_see: "A sphere of the material under a light, in true proportion; a click takes \
         the directions of that point",
-    table: Some(table),
+    says_hidden: true,
+    deltas: Deltas::Marked,
+    with_cosine: false,
+    table: TableKind::Computed,
     is_mesh: false,
 };
 
-/// Of the lit sphere: the radiance of its pixels.
-fn table(session: &Session, data: &mut Data) -> Table {
-    let mut table = Table::new(&[
-        "material",
-        "x",
-        "y",
-        "radiance_r",
-        "radiance_g",
-        "radiance_b",
-        "coverage",
-    ]);
-    let request = session.sphere_request(f32::INFINITY);
-    for (entry, title) in shown(session) {
-        let picture = data.ask(session, entry, request);
-        for (index, [r, g, b, coverage]) in picture.pixels.iter().enumerate() {
-            if *coverage > 0.0 {
-                let place = |index: usize, n: usize| 2.0 * (index as f64 + 0.5) / n as f64 - 1.0;
-                let (x, y) = (index % picture.width, index / picture.width);
-                let place = [place(x, picture.width), -place(y, picture.height)];
-                table.push(
-                    &title,
-                    place
-                        .into_iter()
-                        .chain([*r, *g, *b, *coverage].map(f64::from)),
-                );
-            }
+/// The angle of the sphere's light from the viewer.
+pub static LIGHT_THETA: NumberSpec =
+    NumberSpec::new("sphere.theta_deg", [0.0, 180.0]).unit("degrees");
+/// The azimuth of the sphere's light.
+pub static LIGHT_PHI: NumberSpec = azimuth("sphere.phi_deg");
+/// The exposure of the sphere: beyond six stops all is black or white.
+pub static EXPOSURE: NumberSpec = NumberSpec::new("sphere.exposure", [-6.0, 6.0]).unit("stops");
+
+/// The sizes of pictures of spheres, in pixels: the smallest that fills its place is computed.
+const SIZES: [usize; 3] = [128, 256, 512];
+
+words! {
+    /// How the spheres of several materials stand.
+    Arrangement {
+        /// Side by side.
+        #[default]
+        Grid = "Side by side",
+        /// As strips of one sphere.
+        Wipe = "Wipe",
+        /// The difference of each from the reference.
+        Difference = "Difference",
+    }
+}
+
+/// How the lit sphere is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {
+    /// What lights it.
+    pub light: Light,
+    /// The angle of the light from the viewer's axis, in degrees.
+    pub theta_deg: f64,
+    /// Its azimuth, in degrees: 0 to the right, 90 above.
+    pub phi_deg: f64,
+    /// The exposure in stops: each one doubles.
+    pub exposure: f64,
+    /// How several stand.
+    pub arrangement: Arrangement,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            light: Light::default(),
+            theta_deg: 45.0,
+            phi_deg: 135.0,
+            exposure: 0.0,
+            arrangement: Arrangement::default(),
         }
     }
-    table
+}
+
+impl Options {
+    /// The lit sphere, in a place this many pixels wide.
+    #[must_use]
+    pub fn request(&self, pixels: f32) -> Request {
+        let [.., largest] = SIZES;
+        let fits = |size: &usize| *size as f32 >= pixels;
+        Request {
+            light: self.light,
+            direction: [self.theta_deg, self.phi_deg],
+            size: SIZES.into_iter().find(fits).unwrap_or(largest),
+        }
+    }
+}
+
+impl ViewOptions for Options {
+    fn is_of_held(&self) -> bool {
+        false
+    }
+
+    fn numbers(&mut self) -> Numbers<'_> {
+        vec![
+            (&LIGHT_THETA, &mut self.theta_deg),
+            (&LIGHT_PHI, &mut self.phi_deg),
+            (&EXPOSURE, &mut self.exposure),
+        ]
+    }
+
+    /// The radiance of its pixels.
+    fn table(&self, session: &Session, data: &mut Data) -> Table {
+        let mut table = Table::new(&[
+            "material",
+            "x",
+            "y",
+            "radiance_r",
+            "radiance_g",
+            "radiance_b",
+            "coverage",
+        ]);
+        let request = self.request(f32::INFINITY);
+        for (entry, title) in shown(session) {
+            let picture = data.ask(session, entry, request);
+            for (index, [r, g, b, coverage]) in picture.pixels.iter().enumerate() {
+                if *coverage > 0.0 {
+                    let place =
+                        |index: usize, n: usize| 2.0 * (index as f64 + 0.5) / n as f64 - 1.0;
+                    let (x, y) = (index % picture.width, index / picture.width);
+                    let place = [place(x, picture.width), -place(y, picture.height)];
+                    table.push(
+                        &title,
+                        place
+                            .into_iter()
+                            .chain([*r, *g, *b, *coverage].map(f64::from)),
+                    );
+                }
+            }
+        }
+        table
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spheres_are_as_large_as_their_places() {
+        let options = Options::default();
+        for (pixels, size) in [(10.0, 128), (128.0, 128), (129.0, 256), (4000.0, 512)] {
+            assert_eq!(options.request(pixels).size, size);
+        }
+    }
 }

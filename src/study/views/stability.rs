@@ -1,45 +1,156 @@
 //! Where digits are lost.
 
-use super::kind::ViewKind;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::words::words;
 use crate::data::Data;
 use crate::export::table::Table;
 use crate::session::Session;
-use crate::session::StabilityPlot;
+use bxdf_lab::analysis::Hold;
+use bxdf_lab::stability::map::{Axis, Place, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "stability",
     title: "Stability",
-    is_of_held: |session| session.views.stability.plot == StabilityPlot::Map,
     what_you_see: "How far f32 and f64 are off, over two angles or parameters: bright where digits \
         are lost, contours where the inputs themselves explain it",
-    table: Some(table),
+    says_hidden: false,
+    deltas: Deltas::Told,
+    with_cosine: false,
+    table: TableKind::Computed,
     is_mesh: false,
 };
 
-/// Of the stability: the errors over the two axes, through the mirror direction of the held one.
-fn table(session: &Session, data: &mut Data) -> Table {
-    let mut table = Table::new(&[
-        "material",
-        "x",
-        "y",
-        "error_f32",
-        "error_f64",
-        "of_bound_f32",
-        "of_bound_f64",
-        "condition_number",
-    ]);
-    let request = session.stability_request();
-    let entry = session.materials.selected();
-    let title = session.materials.title(entry);
-    let map = data.ask(session, entry, request.clone());
-    for (index, cell) in map.pixels.iter().enumerate() {
-        let share = |index: usize, n: usize| (index as f64 + 0.5) / n as f64;
-        let x = request.x.value(share(index % map.width, map.width));
-        let y = request.y.value(1.0 - share(index / map.width, map.height));
-        let ([e32, e64], [r32, r64]) = (cell.errors, cell.ratios);
-        if cell.kappa.is_finite() {
-            table.push(&title, [x, y, e32, e64, r32, r64, cell.kappa]);
+/// Pixels along either side of a map of errors.
+const SIZE: usize = 96;
+
+words! {
+    /// What the stability view shows.
+    Plot {
+        /// Errors of the selected material over two axes.
+        #[default]
+        Map = "Errors over two axes",
+        /// The errors of textbooks' formulas and of the core's.
+        Formulas = "Formulas on trial",
+    }
+}
+
+words! {
+    /// What errors are counted in.
+    ErrorUnit {
+        /// Roundings of the precision: the same for both, so that they can be compared.
+        #[default]
+        Roundings = "In roundings",
+        /// Shares of the value.
+        Relative = "Relative",
+        /// Shares of what the stability law allows.
+        Bound = "Of its bound",
+    }
+}
+
+/// How the stability is shown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {
+    /// What of it.
+    pub plot: Plot,
+    /// The id of the axis to the right; the first that a material has instead, where it has no such axis.
+    pub x: String,
+    /// The id of the axis upwards; likewise.
+    pub y: String,
+    /// What errors are counted in.
+    pub unit: ErrorUnit,
+    /// Whether lines of equal condition number are drawn.
+    pub has_contours: bool,
+    /// The id of the formula on trial.
+    pub trial: String,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            plot: Plot::default(),
+            x: "theta_i".to_owned(),
+            y: "alpha".to_owned(),
+            unit: ErrorUnit::default(),
+            has_contours: true,
+            trial: "ggx".to_owned(),
         }
     }
-    table
+}
+
+impl Options {
+    /// The axes of the map of errors that the selected material has: those chosen, where it has them.
+    #[must_use]
+    pub fn axes(&self, session: &Session) -> (Axis, Axis) {
+        let all = Axis::all(session.material());
+        let find = |id: &str| all.iter().find(|axis| axis.id() == id).cloned();
+        let x = find(&self.x).unwrap_or(Axis::ThetaI);
+        (x, find(&self.y).unwrap_or(Axis::ThetaO))
+    }
+
+    /// The map of the selected material's errors, cut through the held direction and its mirror direction.
+    #[must_use]
+    pub fn request(&self, session: &Session) -> Request {
+        let (x, y) = self.axes(session);
+        let held = session.held();
+        let mirror = DVec3::new(-held.x, -held.y, held.z);
+        Request {
+            place: place(session, held, mirror),
+            x,
+            y,
+            size: SIZE,
+        }
+    }
+}
+
+/// The place of the selected material and a pair: the direction held, and the other one.
+#[must_use]
+pub fn place(session: &Session, held: DVec3, free: DVec3) -> Place {
+    let [held, free] = [held, free].map(|w| session.on_surface(w));
+    let (wo, wi) = match session.hold {
+        Hold::Light => (free, held),
+        Hold::Viewer => (held, free),
+    };
+    Place::of(session.material(), wo, wi)
+}
+
+impl ViewOptions for Options {
+    fn is_of_held(&self) -> bool {
+        self.plot == Plot::Map
+    }
+
+    fn texts(&self) -> Vec<&str> {
+        vec![&self.x, &self.y, &self.trial]
+    }
+
+    /// The errors over the two axes, through the mirror direction of the held one.
+    fn table(&self, session: &Session, data: &mut Data) -> Table {
+        let mut table = Table::new(&[
+            "material",
+            "x",
+            "y",
+            "error_f32",
+            "error_f64",
+            "of_bound_f32",
+            "of_bound_f64",
+            "condition_number",
+        ]);
+        let request = self.request(session);
+        let entry = session.materials.selected();
+        let title = session.materials.title(entry);
+        let map = data.ask(session, entry, request.clone());
+        for (index, cell) in map.pixels.iter().enumerate() {
+            let share = |index: usize, n: usize| (index as f64 + 0.5) / n as f64;
+            let x = request.x.value(share(index % map.width, map.width));
+            let y = request.y.value(1.0 - share(index / map.width, map.height));
+            let ([e32, e64], [r32, r64]) = (cell.errors, cell.ratios);
+            if cell.kappa.is_finite() {
+                table.push(&title, [x, y, e32, e64, r32, r64, cell.kappa]);
+            }
+        }
+        table
+    }
 }

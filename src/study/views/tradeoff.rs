@@ -1,30 +1,108 @@
 //! What accuracy costs.
 
-use super::kind::ViewKind;
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
+use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use crate::data::Data;
 use crate::export::table::{Table, Value};
+use crate::number::{NumberSpec, Numbers};
 use crate::session::Session;
 use bxdf_lab::tradeoff::table::{COLUMNS, rows as tradeoff_rows};
+use bxdf_lab::tradeoff::{FAMILIES, Report};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "tradeoff",
     title: "Trade-off",
-    is_of_held: |_| false,
     what_you_see: "What accuracy costs: each mark is a choice, its measured error over its measured \
         cost; what lies lowest and furthest left is worth choosing",
-    table: Some(table),
+    says_hidden: false,
+    deltas: Deltas::Summed,
+    with_cosine: false,
+    table: TableKind::Measured,
     is_mesh: false,
 };
 
-/// The points of the trade-off, measured if they are not yet.
-fn table(session: &Session, data: &mut Data) -> Table {
-    if !data.tradeoff.is_of(session) {
-        data.tradeoff.start(session, || {});
+/// The tolerated error: below a few roundings of f64 no choice can be, above 1 all are.
+pub static TOLERANCE: NumberSpec = NumberSpec::new("tradeoff.tolerance", [1e-12, 1.0]);
+
+/// How the trade-off of cost and error is measured and shown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {
+    /// The largest error that is good enough: relative, root mean square.
+    pub tolerance: f64,
+    /// The ids of the families that are not wanted.
+    pub left_out: Vec<String>,
+    /// Whether a material is measured as soon as it is shown; else when asked for.
+    pub is_immediate: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tolerance: 0.01,
+            left_out: Vec::new(),
+            is_immediate: false,
+        }
     }
-    let report = data.tradeoff.report();
-    let rows = report.iter().flat_map(|report| tradeoff_rows(report));
-    Table {
-        columns: COLUMNS.map(str::to_owned).to_vec(),
-        rows: rows.map(|row| row.map(Value::Text).to_vec()).collect(),
+}
+
+impl Options {
+    /// Whether the family of this id is wanted.
+    #[must_use]
+    pub fn wants(&self, family: &str) -> bool {
+        self.left_out.iter().all(|out| out != family)
+    }
+
+    /// What is wanted of a report: it may have been made for other views too.
+    #[must_use]
+    pub fn wanted<'a>(&self, report: &'a Report) -> Cow<'a, Report> {
+        if report.families.iter().all(|family| self.wants(family.id)) {
+            return Cow::Borrowed(report);
+        }
+        let mut report = report.clone();
+        report.families.retain(|family| self.wants(family.id));
+        Cow::Owned(report)
+    }
+}
+
+/// The ids of the families that any of the session's trade-offs wants: they are measured together, once for all.
+#[must_use]
+pub fn wanted(session: &Session) -> Vec<&'static str> {
+    let views = session.views.all::<Options>();
+    let ids = FAMILIES.iter().map(|family| family.id());
+    ids.filter(|id| views.iter().any(|view| view.wants(id)))
+        .collect()
+}
+
+impl ViewOptions for Options {
+    fn is_of_held(&self) -> bool {
+        false
+    }
+
+    fn numbers(&mut self) -> Numbers<'_> {
+        vec![(&TOLERANCE, &mut self.tolerance)]
+    }
+
+    fn texts(&self) -> Vec<&str> {
+        self.left_out.iter().map(String::as_str).collect()
+    }
+
+    /// The points of the trade-off, measured if they are not yet.
+    fn table(&self, session: &Session, data: &mut Data) -> Table {
+        let families = wanted(session);
+        if !data.tradeoff.is_of(session, &families) {
+            data.tradeoff.start(session, families, || {});
+        }
+        let report = data.tradeoff.report();
+        let rows = report
+            .iter()
+            .flat_map(|report| tradeoff_rows(&self.wanted(report)));
+        Table {
+            columns: COLUMNS.map(str::to_owned).to_vec(),
+            rows: rows.map(|row| row.map(Value::Text).to_vec()).collect(),
+        }
     }
 }

@@ -15,7 +15,6 @@ use bxdf_study::export::{FORMATS, Format};
 use bxdf_study::platform;
 use bxdf_study::session::ViewId;
 use bxdf_study::store::Question;
-use bxdf_study::views as kinds;
 
 /// The size of an exported view, in points, and its pixels per point: legible in print.
 const SIZE: [u32; 2] = [960, 720];
@@ -38,7 +37,7 @@ impl App {
                 .materials
                 .title(self.session.materials.selected()),
             Format::Obj | Format::Gltf => "lobes".to_owned(),
-            Format::Png | Format::Svg | Format::Csv => view.as_str().to_owned(),
+            Format::Png | Format::Svg | Format::Csv => self.session.views.file_name(view),
         };
         // A dialog that is open already keeps what it was opened for.
         if files.ask(Question::Export(format!("{name}.{extension}"))) {
@@ -76,7 +75,7 @@ impl App {
     fn picture_of(&self, view: ViewId, ctx: &Context) -> Picture {
         Picture {
             session: self.session.clone(),
-            only: kinds::find(view.as_str()).ok(),
+            only: Some(view),
             size: SIZE,
             scale: SCALE,
             theme: ctx.theme(),

@@ -136,15 +136,21 @@ impl App {
     pub(super) fn take(&mut self, opened: Result<Opened>, path: Option<PathBuf>) {
         let is_session = matches!(opened, Ok(Opened::Session(_)));
         let taken = opened.and_then(|opened| match opened {
-            Opened::Session(session) => {
-                session.require_fit()?;
-                self.session = *session;
-                Ok(())
+            Opened::Session(read) => {
+                read.session.require_fit()?;
+                self.session = read.session;
+                Ok(read.left_out)
             }
-            Opened::Material(material) => self.session.materials.add(*material).map(|_| ()),
+            Opened::Material(material) => {
+                let added = self.session.materials.add(*material);
+                added.map(|_| Vec::new())
+            }
         });
-        if self.notice.report(taken).is_none() {
+        let Some(left_out) = self.notice.report(taken) else {
             return;
+        };
+        if !left_out.is_empty() {
+            self.notice.say_all(&left_out);
         }
         if let (Some(files), Some(path)) = (&mut self.files, path) {
             files.store.remember(&path);

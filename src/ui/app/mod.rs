@@ -23,8 +23,7 @@ use bxdf_study::cursor::Cursor;
 use bxdf_study::data::Data;
 use bxdf_study::history::History;
 use bxdf_study::jobs::Clock;
-use bxdf_study::session::Session;
-use bxdf_study::views::ViewKind;
+use bxdf_study::session::{Session, ViewId};
 use exports::Exports;
 use files::Files;
 use readings::Readings;
@@ -38,6 +37,7 @@ pub(super) mod keys;
 mod picture;
 mod reading;
 mod readings;
+mod views;
 
 pub use picture::{Maker, Picture};
 
@@ -50,7 +50,9 @@ pub struct App {
     pub(super) data: Data,
     pub(super) state: ViewState,
     pub(super) cursor: Option<Cursor>,
-    pub(super) only: Option<&'static ViewKind>,
+    pub(super) only: Option<ViewId>,
+    /// The view last clicked into.
+    pub(super) clicked: Option<ViewId>,
     pub(super) picker: Picker,
     pub(super) components: Components,
     pub(super) list: MaterialList,
@@ -75,7 +77,7 @@ impl App {
     pub fn new(
         cc: &eframe::CreationContext<'_>,
         session: Session,
-        only: Option<&'static ViewKind>,
+        only: Option<ViewId>,
         clock: Option<Clock>,
     ) -> Self {
         theme::apply(&cc.egui_ctx);
@@ -94,6 +96,7 @@ impl App {
             state: ViewState::default(),
             cursor: None,
             only,
+            clicked: None,
             picker,
             components: Components::default(),
             list: MaterialList::default(),

@@ -4,15 +4,14 @@ use egui::{ColorImage, Theme};
 
 use bxdf::error::Result;
 use bxdf_study::export::Format;
-use bxdf_study::session::Session;
-use bxdf_study::views::ViewKind;
+use bxdf_study::session::{Session, ViewId};
 
 /// A picture to be made.
 pub struct Picture {
     /// What to show.
     pub session: Session,
     /// The view to show alone; the whole window if absent.
-    pub only: Option<&'static ViewKind>,
+    pub only: Option<ViewId>,
     /// Width and height in points.
     pub size: [u32; 2],
     /// Pixels per point.

@@ -19,6 +19,10 @@ const GESTURES: [(&str, &[(&str, &str)]); 4] = [
                 "Undo panning, zooming and turning",
             ),
             ("Click a name of a legend", "Select that material"),
+            (
+                "Right-click the name of a view",
+                "Duplicate it, or give it a section of its own",
+            ),
         ],
     ),
     (

@@ -306,6 +306,36 @@ pub static ANGLES: Command = Command {
     )
 };
 
+/// Opens another view like the one last clicked into.
+pub static DUPLICATE_VIEW: Command = Command {
+    is_enabled: |app| app.session.views.has_room(),
+    ..command(
+        Group::View,
+        [
+            "duplicate_view",
+            "Duplicate the view",
+            "Open another view like the one last clicked into, beside it: the two can be set differently",
+        ],
+        &[key(CTRL_SHIFT, Key::D)],
+        |app, _| app.duplicate_view(app.current_view()),
+    )
+};
+
+/// Gives the view last clicked into a section of its own, or takes it away.
+pub static OWN_SECTION: Command = Command {
+    is_enabled: App::is_current_cut,
+    ..command(
+        Group::View,
+        [
+            "own_section",
+            "Own section",
+            "Give the view last clicked into a section at an azimuth of its own, or that of the others again",
+        ],
+        &[key(CTRL_SHIFT, Key::E)],
+        |app, _| app.switch_own_section(app.current_view()),
+    )
+};
+
 /// Searches the commands.
 pub static SEARCH: Command = command(
     Group::Help,
@@ -330,7 +360,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 21] = [
+pub static COMMANDS: [&Command; 23] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -350,6 +380,8 @@ pub static COMMANDS: [&Command; 21] = [
     &COSINE,
     &CURVES,
     &ANGLES,
+    &DUPLICATE_VIEW,
+    &OWN_SECTION,
     &SEARCH,
     &HELP,
 ];

@@ -33,7 +33,10 @@ pub fn bytes(picture: Picture, format: Format) -> Result<Vec<u8>> {
 }
 
 fn drawing(picture: Picture) -> Result<Vec<u8>> {
-    if let Some(view) = picture.only.filter(|view| view.is_mesh) {
+    let view = picture
+        .only
+        .and_then(|view| picture.session.views.kind(view));
+    if let Some(view) = view.filter(|view| view.is_mesh) {
         return Err(refused(
             view,
             "a mesh has no drawing: export png, obj or gltf",

@@ -41,6 +41,7 @@ pub fn init(render_state: &RenderState) {
     let views = Views {
         pipelines: Pipelines::new(&render_state.device, render_state.target_format),
         by_id: HashMap::new(),
+        drawn: 0,
     };
     render_state
         .renderer
@@ -59,6 +60,42 @@ pub fn shape(rect: Rect, view: SceneView) -> egui::epaint::PaintCallback {
 struct Views {
     pipelines: Pipelines,
     by_id: HashMap<u64, ViewState>,
+    /// How many views were drawn so far, in all frames.
+    drawn: u64,
+}
+
+/// A view is forgotten when another one is new and so many were drawn since: more than stand in two frames.
+const FORGOTTEN_AFTER: u64 = 100;
+
+impl Views {
+    /// Brings the picture of a view up to date.
+    fn update(
+        &mut self,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
+        encoder: &mut wgpu::CommandEncoder,
+        view: &SceneView,
+        place: &Placement,
+    ) {
+        let Self {
+            pipelines,
+            by_id,
+            drawn,
+        } = self;
+        *drawn += 1;
+        if !by_id.contains_key(&view.id) {
+            by_id.retain(|_, state| state.last_drawn + FORGOTTEN_AFTER > *drawn);
+        }
+        let state = by_id
+            .entry(view.id)
+            .or_insert_with(|| ViewState::new(device, pipelines));
+        state.last_drawn = *drawn;
+        let gpu = Gpu {
+            device,
+            queue,
+            pipelines,
+        };
+        state.update(&gpu, encoder, view, place);
+    }
 }
 
 struct SceneCallback {
@@ -75,22 +112,10 @@ impl CallbackTrait for SceneCallback {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        if let Some(Views { pipelines, by_id }) = resources.get_mut()
+        if let Some(views) = resources.get_mut::<Views>()
             && let Some(place) = Placement::new(self.rect, screen.pixels_per_point, device)
         {
-            by_id
-                .entry(self.view.id)
-                .or_insert_with(|| ViewState::new(device, pipelines))
-                .update(
-                    &Gpu {
-                        device,
-                        queue,
-                        pipelines,
-                    },
-                    encoder,
-                    &self.view,
-                    &place,
-                );
+            views.update((device, queue), encoder, &self.view, &place);
         }
         Vec::new()
     }
@@ -101,7 +126,9 @@ impl CallbackTrait for SceneCallback {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        if let Some(Views { pipelines, by_id }) = resources.get()
+        if let Some(Views {
+            pipelines, by_id, ..
+        }) = resources.get()
             && let Some(state) = by_id.get(&self.view.id)
             && let Some(target) = &state.target
         {
@@ -212,6 +239,8 @@ struct ViewState {
     buffers: SceneBuffers,
     target: Option<Target>,
     drawn: Option<PictureKey>,
+    /// How many views had been drawn when it was drawn last.
+    last_drawn: u64,
 }
 
 impl ViewState {
@@ -238,6 +267,7 @@ impl ViewState {
             buffers: SceneBuffers::new(),
             target: None,
             drawn: None,
+            last_drawn: 0,
         }
     }
 

@@ -14,10 +14,11 @@ use bxdf_lab::analysis::lobe::Arrow;
 use bxdf_lab::analysis::{Channel, HeldLobe, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, FIXED_ANGLE, MaterialEntry, Session};
+use bxdf_study::session::{DECADES, MaterialEntry, Session};
+use bxdf_study::views::cartesian::{FIXED_ANGLE, Options};
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.session, cx.options);
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
@@ -39,14 +40,13 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
             cx.palette,
         );
     }
-    match cx.session.views.cartesian.abscissa {
+    match cx.options.abscissa {
         Abscissa::Free => point_at_direction(ui, cx, &chart, &shown),
         Abscissa::Half | Abscissa::Difference => point_at_pair(ui, cx, &chart, &shown),
     }
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
-    let options = &mut session.views.cartesian;
+fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
     ui.horizontal_wrapped(|ui| {
         let hint = "Over which angle f is drawn: the free direction's in the section, or the \
             angles of half vector and difference";
@@ -86,9 +86,9 @@ fn controls(ui: &mut Ui, session: &mut Session) {
 }
 
 /// Why there are fewer deltas than one might expect.
-fn note(cx: &mut ViewContext<'_>) -> Option<&'static str> {
+fn note(cx: &mut ViewContext<'_, Options>) -> Option<&'static str> {
     let (session, data) = (&*cx.session, &mut *cx.data);
-    if session.views.cartesian.abscissa == Abscissa::Free {
+    if cx.options.abscissa == Abscissa::Free {
         return None;
     }
     let crosses = |arrow: &Arrow| arrow.side == Side::Transmission;
@@ -98,10 +98,10 @@ fn note(cx: &mut ViewContext<'_>) -> Option<&'static str> {
 }
 
 /// The chart of every material shown.
-fn chart(cx: &mut ViewContext<'_>) -> Chart {
+fn chart(cx: &mut ViewContext<'_, Options>) -> Chart {
     let (session, data, palette) = (&*cx.session, &mut *cx.data, cx.palette);
-    let options = session.views.cartesian;
-    let request = session.cartesian_request();
+    let options = *cx.options;
+    let request = options.request(session);
     let reference = options.is_residual.then(|| session.materials.reference());
     let (mut series, mut stems) = (Vec::new(), Vec::new());
     let outside = match options.abscissa {
@@ -117,7 +117,7 @@ fn chart(cx: &mut ViewContext<'_>) -> Chart {
         let own = curve.stems.iter();
         stems.extend(own.map(|stem| super::context::chart_stem(stem, &title, color, outside)));
         for channel in session.shown_curves().channels() {
-            series.push(line(session, entry, &curve, *channel, palette));
+            series.push(line((session, &options), entry, &curve, *channel, palette));
         }
     }
     let values = || {
@@ -134,19 +134,20 @@ fn chart(cx: &mut ViewContext<'_>) -> Chart {
         let lowest = stems.iter().map(|stem| stem.share).fold(0.0, f64::min);
         least = least.min(lowest * largest.max(-least));
         let decades = request.scale.is_logarithmic().then_some(DECADES);
-        Axis::of_values(value_name(session), [least, largest], decades)
+        Axis::of_values(value_name(session, &options), [least, largest], decades)
     };
-    let mut chart = Chart::of("Cartesian plot", [x_axis(session), y], series);
+    let mut chart = Chart::of("Cartesian plot", [x_axis(session, &options), y], series);
     chart.stems = stems;
     if options.abscissa == Abscissa::Free {
-        chart.marks = super::context::section_marks(session, palette);
+        chart.marks =
+            super::context::section_marks(session, options.own_section_deg.of(session), palette);
     }
     chart
 }
 
 /// One curve of a material.
 fn line(
-    session: &Session,
+    (session, options): (&Session, &Options),
     entry: &MaterialEntry,
     curve: &Curve,
     channel: Channel,
@@ -158,7 +159,7 @@ fn line(
         .iter()
         .map(|line| line.iter().map(shown).collect())
         .collect();
-    if session.views.cartesian.is_normalised {
+    if options.is_normalised {
         let values = lines.iter().flatten().map(|[_, y]| y.abs());
         let peak = values.fold(0.0, f64::max);
         if peak > 0.0 {
@@ -179,8 +180,7 @@ fn line(
 }
 
 /// The name of what is drawn upwards, with its unit.
-fn value_name(session: &Session) -> String {
-    let options = session.views.cartesian;
+fn value_name(session: &Session, options: &Options) -> String {
     let quantity = if session.with_cosine {
         "f |cos θ|"
     } else {
@@ -196,8 +196,7 @@ fn value_name(session: &Session) -> String {
 }
 
 /// The axis to the right.
-fn x_axis(session: &Session) -> Axis {
-    let options = session.views.cartesian;
+fn x_axis(session: &Session, options: &Options) -> Axis {
     let fixed = format::degrees(options.fixed_deg);
     match options.abscissa {
         Abscissa::Free => {
@@ -207,7 +206,7 @@ fn x_axis(session: &Session) -> Axis {
                 90.0
             };
             let free = session.free_name();
-            let azimuth = format::degrees(session.section_azimuth_deg());
+            let azimuth = format::degrees(options.own_section_deg.of(session).azimuth_deg);
             let name = format!("θ of the {free} in the section at azimuth {azimuth} (degrees)");
             Axis::degrees(name, [-end, end])
         }
@@ -224,8 +223,8 @@ fn x_axis(session: &Session) -> Axis {
 }
 
 /// The pointer over angles of the free direction points at it; elsewhere the direction pointed at is marked.
-fn point_at_direction(ui: &Ui, cx: &mut ViewContext<'_>, chart: &Chart, shown: &Shown) {
-    let azimuth = cx.session.section_azimuth_deg().to_radians();
+fn point_at_direction(ui: &Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart, shown: &Shown) {
+    let azimuth = cx.options.own_section_deg.of(cx.session).phi();
     let pointed = chart.pointed(shown).filter(|[x, _]| x.abs() <= 180.0);
     let Some([x, _]) = pointed else {
         if let Some(cursor) = &*cx.cursor {
@@ -243,8 +242,8 @@ fn point_at_direction(ui: &Ui, cx: &mut ViewContext<'_>, chart: &Chart, shown: &
 }
 
 /// Over half and difference angles a click holds the pair of directions that has them.
-fn point_at_pair(ui: &Ui, cx: &mut ViewContext<'_>, chart: &Chart, shown: &Shown) {
-    let request = cx.session.cartesian_request();
+fn point_at_pair(ui: &Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart, shown: &Shown) {
+    let request = cx.options.request(cx.session);
     let (wo, wi) = cx.pair();
     let place = half_difference(wo, wi);
     let Some([x, _]) = chart

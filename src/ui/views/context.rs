@@ -17,15 +17,16 @@ use bxdf_study::cursor::Cursor;
 use bxdf_study::data::Data;
 use bxdf_study::export::Format;
 use bxdf_study::memo::{Memo, Same};
-use bxdf_study::session::{EntryId, Materials, Session, ViewId};
-use bxdf_study::views::ViewKind;
+use bxdf_study::session::{EntryId, Materials, Section, Session, ViewId};
 
-/// What a view draws with.
-pub struct ViewContext<'a> {
+/// What a view draws with; `O`: its options, by the type that its kind has for them.
+pub struct ViewContext<'a, O = ()> {
     /// The view.
-    pub view: &'static ViewKind,
+    pub view: ViewId,
     /// What to show; gestures change it.
     pub session: &'a mut Session,
+    /// What the view shows of it, and how: the view's own affair.
+    pub options: &'a mut O,
     /// The data of the session.
     pub data: &'a mut Data,
     /// What the views keep between frames.
@@ -42,19 +43,38 @@ pub struct ViewState {
     is_dragging: bool,
     kept_lower_half: Option<bool>,
     pub(super) textures: Textures,
-    contours: HashMap<EntryId, Memo<(Same<Map>, ColorScale), Lines>>,
-    /// What each kind of view keeps for itself.
-    own: HashMap<(&'static str, TypeId), Box<dyn Any>>,
+    /// Those of each view's maps.
+    contours: HashMap<(ViewId, EntryId), Contours>,
+    /// What each view keeps for itself.
+    own: HashMap<(ViewId, TypeId), Box<dyn Any>>,
+    /// The number given last.
+    number: u64,
     /// Whether a picture is made, in which nobody can click.
     pub(crate) is_picture: bool,
     /// A file that a view asks to be written.
     pub(super) wished_file: Option<(ViewId, Format)>,
 }
 
+/// The lines of a map in a scale.
+type Contours = Memo<(Same<Map>, ColorScale), Lines>;
+
 /// Lines of equal value, as places of a picture.
 pub(super) type Lines = Vec<Vec<[f64; 2]>>;
 
-impl ViewContext<'_> {
+impl<O> ViewContext<'_, O> {
+    /// The same, with these options.
+    pub(super) fn with<'b, P>(&'b mut self, options: &'b mut P) -> ViewContext<'b, P> {
+        ViewContext {
+            view: self.view,
+            session: self.session,
+            options,
+            data: self.data,
+            state: self.state,
+            cursor: self.cursor,
+            palette: self.palette,
+        }
+    }
+
     /// The pair of directions that the pointer was at last, wo and wi; the mirror direction before it was anywhere.
     pub(super) fn pair(&self) -> (DVec3, DVec3) {
         let held = self.session.held();
@@ -81,10 +101,9 @@ impl ViewContext<'_> {
 }
 
 /// The directions of the section that have names.
-pub(super) fn section_marks(session: &Session, palette: &Palette) -> Vec<Mark> {
-    let azimuth = session.section_azimuth_deg().to_radians();
-    let held = section::signed_angle(session.held(), azimuth).to_degrees();
-    let dash = if session.section_holds_held() {
+pub(super) fn section_marks(session: &Session, shown: Section, palette: &Palette) -> Vec<Mark> {
+    let held = section::signed_angle(session.held(), shown.phi()).to_degrees();
+    let dash = if shown.holds_held {
         Dash::Solid
     } else {
         Dash::Dashed
@@ -156,20 +175,30 @@ pub(super) fn reference_choice(ui: &mut Ui, materials: &mut Materials) {
 const LONGEST_REFERENCE: usize = 18;
 
 impl ViewState {
-    /// To be called before the views of a frame are drawn.
-    pub fn begin_frame(&mut self) {
+    /// To be called before the views of a frame are drawn. What views kept that are closed is dropped.
+    pub fn begin_frame(&mut self, session: &Session) {
         self.textures.begin_frame();
+        let is_open = |view: &ViewId| session.views.get(*view).is_some();
+        self.contours
+            .retain(|(view, entry), _| is_open(view) && session.materials.get(*entry).is_some());
+        self.own.retain(|(view, _), _| is_open(view));
         if !std::mem::take(&mut self.is_dragging) {
             self.kept_lower_half = None;
         }
     }
 
     /// What `view` keeps for itself, of this type; at first its default.
-    pub(super) fn own<T: Default + 'static>(&mut self, view: &ViewKind) -> &mut T {
-        let kept = self.own.entry((view.id, TypeId::of::<T>()));
+    pub(super) fn own<T: Default + 'static>(&mut self, view: ViewId) -> &mut T {
+        let kept = self.own.entry((view, TypeId::of::<T>()));
         let kept = kept.or_insert_with(|| Box::new(T::default()));
         kept.downcast_mut()
             .unwrap_or_else(|| unreachable!("it is kept by its type"))
+    }
+
+    /// A number that was not given before.
+    pub(super) fn unused_number(&mut self) -> u64 {
+        self.number += 1;
+        self.number
     }
 
     /// The file that a view asks to be written; told once.
@@ -180,13 +209,13 @@ impl ViewState {
     /// The contours of a map in a scale, computed anew only where one of them is another one.
     pub(super) fn contours(
         &mut self,
-        entry: EntryId,
+        of: (ViewId, EntryId),
         map: &Arc<Map>,
         scale: ColorScale,
         compute: impl FnOnce(&Map) -> Lines,
     ) -> Arc<Lines> {
         let key = (Same(Arc::clone(map)), scale);
-        let memo = self.contours.entry(entry).or_default();
+        let memo = self.contours.entry(of).or_default();
         memo.get(key, || compute(map))
     }
 

@@ -14,7 +14,8 @@ use bxdf_lab::analysis::decomposition::{Decomposition, Factors};
 use bxdf_lab::analysis::{Channel, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, Decomposed, EntryId, Session};
+use bxdf_study::session::{DECADES, EntryId, Session};
+use bxdf_study::views::decomposition::{Decomposed, Options};
 
 /// Width over height of the charts of several materials.
 const ASPECT: f32 = 1.5;
@@ -25,20 +26,19 @@ const ROOM_FOR_WORDS: egui::Vec2 = egui::vec2(230.0, 150.0);
 /// The names of the factors at the screen: D is shown over its peak, which differs by orders of magnitude.
 const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.options);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
-    match cx.session.views.decomposition.into {
+    match cx.options.into {
         Decomposed::Lobes => show_lobes(ui, cx),
         Decomposed::Factors => show_factors(ui, cx),
     }
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
-    let options = &mut session.views.decomposition;
+fn controls(ui: &mut Ui, options: &mut Options) {
     ui.horizontal_wrapped(|ui| {
         let hint = "Lobes sum to the value; D, G and F are the factors of microfacet models";
         choice::choice(
@@ -63,21 +63,17 @@ fn controls(ui: &mut Ui, session: &mut Session) {
 }
 
 /// The parts of each material shown.
-fn parts(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Decomposition>)> {
+fn parts(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Decomposition>)> {
     let (session, data) = (&*cx.session, &mut *cx.data);
+    let request = cx.options.request(session);
     let shown = session.materials.shown();
     shown
-        .map(|entry| {
-            (
-                entry.id(),
-                data.ask(session, entry, session.decomposition_request()),
-            )
-        })
+        .map(|entry| (entry.id(), data.ask(session, entry, request)))
         .collect()
 }
 
 /// A chart of its lobes for each material.
-fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let parts = parts(cx);
     let room = ui.available_rect_before_wrap();
     let aspect = if parts.len() > 1 {
@@ -90,7 +86,7 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .zip(&parts)
     {
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
-        let mut chart = lobes_chart(&name, decomposition, cx.session, cx.palette);
+        let mut chart = lobes_chart(&name, decomposition, (cx.session, cx.options), cx.palette);
         if cell.picture.size().min(ROOM_FOR_WORDS) != ROOM_FOR_WORDS {
             chart.leave_out_words();
         }
@@ -100,7 +96,7 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 }
 
 /// One chart of the factors of all materials.
-fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     legend::show(ui, Sample::Patch, cx.session, cx.palette);
     let parts = parts(cx);
     let mut series = Vec::new();
@@ -126,7 +122,11 @@ fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let y = Axis::of_values("share", [0.0, 1.0], None);
     let x = x_axis(cx.session, parts.iter().map(|(_, parts)| &**parts));
     let mut chart = Chart::of("Factors", [x, y], series);
-    chart.marks = super::context::section_marks(cx.session, cx.palette);
+    chart.marks = super::context::section_marks(
+        cx.session,
+        cx.options.own_section_deg.of(cx.session),
+        cx.palette,
+    );
     chart.has_names = true;
     let room = ui.available_rect_before_wrap();
     let selected = cx.session.materials.selected().id();
@@ -137,7 +137,7 @@ fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 /// Draws a chart over the free direction's angle into `room`; the pointer points at a direction of material `entry`.
 fn show_chart(
     ui: &mut Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     (chart, room): (&Chart, Rect),
     entry: EntryId,
 ) {
@@ -146,7 +146,7 @@ fn show_chart(
             chart.show(ui, Some(room.height()), cx.palette)
         })
         .inner;
-    let azimuth = cx.session.section_azimuth_deg().to_radians();
+    let azimuth = cx.options.own_section_deg.of(cx.session).phi();
     if let Some([x, _]) = chart.pointed(&shown).filter(|[x, _]| x.abs() <= 180.0) {
         chart.read_out(
             ui,
@@ -169,10 +169,9 @@ fn show_chart(
 fn lobes_chart(
     name: &str,
     decomposition: &Decomposition,
-    session: &Session,
+    (session, options): (&Session, &Options),
     palette: &Palette,
 ) -> Chart {
-    let options = session.views.decomposition;
     let angles = &decomposition.angles_deg;
     let mut below = vec![0.0; angles.len()];
     let (mut series, mut bands) = (Vec::new(), Vec::new());
@@ -236,7 +235,8 @@ fn lobes_chart(
     let mut chart = Chart::of(name, [x, y], series);
     chart.bands = bands;
     chart.stems = stems;
-    chart.marks = super::context::section_marks(session, palette);
+    chart.marks =
+        super::context::section_marks(session, options.own_section_deg.of(session), palette);
     chart.has_names = true;
     chart
 }

@@ -14,6 +14,7 @@ use bxdf_lab::analysis::inspector::{DeltaReading, Reading, deltas};
 use bxdf_lab::analysis::{Channel, Hold};
 use bxdf_study::export::names;
 use bxdf_study::format;
+use bxdf_study::views::inspector::Options;
 
 /// The columns of numbers: name and meaning.
 const COLUMNS: [(&str, &str); 12] = [
@@ -70,7 +71,7 @@ struct Row {
     deltas: [Option<DeltaReading>; 2],
 }
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let report = report(cx);
     let area = ScrollArea::both().auto_shrink([false, false]);
     area.show(ui, |ui| {
@@ -92,7 +93,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 }
 
 /// The readings at the cursor; at the mirror direction before anything was pointed at.
-fn report(cx: &mut ViewContext<'_>) -> Report {
+fn report(cx: &mut ViewContext<'_, Options>) -> Report {
     let session = &*cx.session;
     let (wo, wi) = cx.pair();
     let free = match session.hold {

@@ -2,6 +2,9 @@
 
 use egui::Ui;
 
+use crate::widgets::choice;
+use bxdf_study::session::Session;
+use bxdf_study::views::{OWN_SECTION, Options};
 pub use context::{ViewContext, ViewState};
 
 mod cartesian;
@@ -18,30 +21,52 @@ mod sphere;
 mod stability;
 mod tradeoff;
 
-/// What draws a view into the space left in the `Ui`.
-type Show = fn(&mut Ui, &mut ViewContext<'_>);
-
 macro_rules! list {
     ($($id:ident)*) => {
-        /// What draws each kind of view, by its id.
-        static SHOW: [(&str, Show); [$(stringify!($id)),*].len()] = [$((stringify!($id), $id::show)),*];
+        /// Draws the view into the space left in the `Ui`, with these options of whichever kind.
+        fn show_kind(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &mut Options) {
+            match options {
+                $(Options::$id(options) => $id::show(ui, &mut cx.with(options)),)*
+            }
+        }
     };
 }
 bxdf_study::view_kinds!(list);
 
-/// Draws the view.
-pub fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    let mut all = SHOW.iter();
-    if let Some((_, show)) = all.find(|(id, _)| *id == cx.view.id) {
-        show(ui, cx);
+/// Draws the view, and above it what all views have to say and to set alike.
+pub fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &mut Options) {
+    warn_of_held(ui, cx, options);
+    set_own_section(ui, cx.session, options);
+    show_kind(ui, cx, options);
+}
+
+/// The azimuth of the view's own section, where it has one.
+fn set_own_section(ui: &mut Ui, session: &Session, options: &mut Options) {
+    let Some(section) = options.own_section() else {
+        return;
+    };
+    let mut is_own = true;
+    let Some(azimuth) = &mut section.0 else {
+        return;
+    };
+    ui.horizontal_wrapped(|ui| {
+        let hint = "The azimuth of the section that this view has for itself";
+        choice::angle(ui, ("Own section", hint), azimuth, &OWN_SECTION);
+        let hint = "Show the section of the other views again";
+        is_own = !ui
+            .small_button("As the others")
+            .on_hover_text(hint)
+            .clicked();
+    });
+    if !is_own {
+        section.set(false, session);
     }
 }
 
 /// Where the held direction lies below opaque materials and the view is of it: says so, and offers the way back.
-pub(crate) fn warn_of_held(ui: &mut egui::Ui, cx: &mut ViewContext<'_>) {
-    let view = cx.view;
+fn warn_of_held(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &Options) {
     let session = &mut *cx.session;
-    let is_told = session.is_held_below() && (view.is_of_held)(session);
+    let is_told = session.is_held_below() && options.is_of_held();
     if !is_told {
         return;
     }

@@ -11,7 +11,8 @@ use bxdf::{Category, Side};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::reflectance::{Curve, LobeShare, by_kind};
 use bxdf_study::format;
-use bxdf_study::session::{Session, Split};
+use bxdf_study::session::Session;
+use bxdf_study::views::reflectance::{Options, Split, request};
 
 /// A part of the light that leaves.
 struct Part {
@@ -21,8 +22,8 @@ struct Part {
     points: Vec<[f64; 3]>,
 }
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.options);
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
@@ -55,8 +56,7 @@ fn held_angle(session: &Session) -> f64 {
     session.theta_deg.min(180.0 - session.theta_deg)
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
-    let options = &mut session.views.reflectance;
+fn controls(ui: &mut Ui, options: &mut Options) {
     ui.horizontal_wrapped(|ui| {
         let hint = "Into what the light that leaves is split; of several materials the parts \
             differ in the line";
@@ -75,14 +75,14 @@ fn controls(ui: &mut Ui, session: &mut Session) {
 }
 
 /// The chart of every material shown, and what stands in its corner: the hemispherical reflectances.
-fn chart(cx: &mut ViewContext<'_>) -> (Chart, String) {
+fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
     let (session, data, palette) = (&*cx.session, &mut *cx.data, cx.palette);
-    let options = session.views.reflectance;
+    let options = *cx.options;
     let is_furnace = options.is_furnace && options.split == Split::Total;
     let is_overlay = session.materials.is_overlay();
     let (mut series, mut bands, mut means) = (Vec::new(), Vec::new(), Vec::new());
     for entry in session.materials.shown() {
-        let curve = data.ask(session, entry, session.reflectance_request());
+        let curve = data.ask(session, entry, request(session));
         let title = session.materials.title(entry);
         means.push(hemispherical(&title, &curve));
         for (index, part) in parts(&curve, options.split).into_iter().enumerate() {

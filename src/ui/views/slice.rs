@@ -11,7 +11,8 @@ use crate::widgets::{choice, deltas, draw};
 use bxdf_lab::analysis::slice::{REGIONS, Region, Request, Slice, mirrored_at, pair_at, place_of};
 use bxdf_lab::analysis::{Channel, Subject};
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, DIFFERENCE_AZIMUTH, EntryId, MaterialEntry, Session};
+use bxdf_study::session::{DECADES, EntryId, MaterialEntry};
+use bxdf_study::views::slice::{DIFFERENCE_AZIMUTH, Options};
 
 /// Room for the names and numbers of the axes, in points: at the left and below.
 const LABELS: egui::Vec2 = vec2(34.0, 30.0);
@@ -31,14 +32,17 @@ const GRAZING_SHARE: f64 = 0.01;
 /// Narrower pictures have no room for the names of regions, in points.
 const ROOM_FOR_NAMES: f32 = 150.0;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.options);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
     let slices = slices(cx);
-    let scale = scale(slices.iter().map(|(_, slice)| &**slice), cx.session);
+    let scale = scale(
+        slices.iter().map(|(_, slice)| &**slice),
+        cx.options.is_logarithmic,
+    );
     let mut room = ui.available_rect_before_wrap();
     let is_above_zero = |rgb: &[f64; 3]| rgb.iter().any(|x| *x > 0.0);
     let mut pixels = slices.iter().flat_map(|(_, slice)| &slice.raster.pixels);
@@ -59,8 +63,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     ui.advance_cursor_after_rect(room);
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
-    let options = &mut session.views.slice;
+fn controls(ui: &mut Ui, options: &mut Options) {
     ui.horizontal_wrapped(|ui| {
         let hint = "The azimuth of the difference about the half vector: at 90° both \
             directions are equally far from n";
@@ -79,19 +82,15 @@ fn controls(ui: &mut Ui, session: &mut Session) {
     });
 }
 
-fn slices(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Slice>)> {
+fn slices(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Slice>)> {
     let (session, data) = (&*cx.session, &mut *cx.data);
-    let slice = |entry: &MaterialEntry| {
-        (
-            entry.id(),
-            data.ask(session, entry, session.slice_request()),
-        )
-    };
+    let request = cx.options.request(session);
+    let slice = |entry: &MaterialEntry| (entry.id(), data.ask(session, entry, request));
     session.materials.shown().map(slice).collect()
 }
 
 /// The colours of the slices: without the few values at grazing angles that dwarf all others.
-fn scale<'a>(slices: impl Iterator<Item = &'a Slice>, session: &Session) -> ColorScale {
+fn scale<'a>(slices: impl Iterator<Item = &'a Slice>, is_logarithmic: bool) -> ColorScale {
     let some = slices.flat_map(|slice| slice.raster.pixels.iter().step_by(EVERY));
     let luminance = some.map(|rgb| Channel::Luminance.of(*rgb));
     let mut values: Vec<f64> = luminance.filter(|value| *value > 0.0).collect();
@@ -101,7 +100,7 @@ fn scale<'a>(slices: impl Iterator<Item = &'a Slice>, session: &Session) -> Colo
         values.get(index as usize).copied().unwrap_or(1.0)
     };
     let largest = quantile(1.0 - GRAZING_SHARE);
-    if session.views.slice.is_logarithmic {
+    if is_logarithmic {
         let least = quantile(0.0).clamp(largest * 10_f64.powf(-DECADES), 0.5 * largest);
         ColorScale {
             range: [least, largest],
@@ -117,7 +116,7 @@ fn scale<'a>(slices: impl Iterator<Item = &'a Slice>, session: &Session) -> Colo
 
 fn show_slice(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     cell: Cell,
     (entry, slice): (EntryId, &Arc<Slice>),
     scale: ColorScale,
@@ -130,9 +129,9 @@ fn show_slice(
     let paint = || scale.paint(&slice.raster.map(|rgb| Channel::Luminance.of(*rgb)));
     let textures = &mut cx.state.textures;
     let response = pictures::show(ui, textures, cell, picture, cx.session, cx.palette, paint);
-    let request = cx.session.slice_request();
+    let request = cx.options.request(cx.session);
     draw_axes(ui, cell.picture, &request, cx.palette);
-    if cx.session.views.slice.has_regions && cell.picture.width() > ROOM_FOR_NAMES {
+    if cx.options.has_regions && cell.picture.width() > ROOM_FOR_NAMES {
         let mut taken = Vec::new();
         for region in &REGIONS {
             name_region(
@@ -150,17 +149,17 @@ fn show_slice(
 }
 
 /// The share of the flux that a material mirrors at this theta_d, as a delta.
-fn delta_at(cx: &mut ViewContext<'_>, entry: EntryId, theta_d_deg: f64) -> Option<f64> {
+fn delta_at(cx: &mut ViewContext<'_, Options>, entry: EntryId, theta_d_deg: f64) -> Option<f64> {
     let session = &*cx.session;
     let entry = session.materials.get(entry)?;
-    let request = session.slice_request();
+    let request = cx.options.request(session);
     let share = |subject: &Subject<'_>| mirrored_at(&request, subject, theta_d_deg);
     let share = cx.data.with_subject(session, entry, share)?;
     Some(Channel::Luminance.of(share))
 }
 
 /// The delta of a mirror: it stands along the edge theta_h = 0, with a ring at the theta_d of the direction held.
-fn draw_delta(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, entry: EntryId) {
+fn draw_delta(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, entry: EntryId) {
     let theta = cx.session.theta_deg;
     let theta_d = theta.min(180.0 - theta);
     let Some(share) = delta_at(cx, entry, theta_d) else {
@@ -172,7 +171,7 @@ fn draw_delta(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, entry: EntryId) {
     let color = cx.palette.material(found.slot());
     let painter = ui.painter_at(rect.expand(2.0 * deltas::BESIDE_RING));
     painter.vline(rect.left(), rect.y_range(), (3.0, color));
-    let at = pictures::position_of(rect, place([0.0, theta_d], &cx.session.slice_request()));
+    let at = pictures::position_of(rect, place([0.0, theta_d], &cx.options.request(cx.session)));
     deltas::ring(&painter, at, (color, cx.palette), true);
     let beside = (at + vec2(deltas::BESIDE_RING, 0.0), Align2::LEFT_CENTER);
     let (text, look) = (deltas::label(share), (cx.palette.ink, cx.palette));
@@ -266,12 +265,12 @@ fn name_region(
 /// The pair of directions under the pointer, which a click holds; that of the other views.
 fn point(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     rect: Rect,
     (entry, slice): (EntryId, &Arc<Slice>),
     response: &Response,
 ) {
-    let request = cx.session.slice_request();
+    let request = cx.options.request(cx.session);
     let Some(pointer) = response.hover_pos() else {
         let (wo, wi) = cx.pair();
         if let Some([x, y]) = place_of(&request, wo, wi) {

@@ -135,7 +135,7 @@ fn section(ui: &mut Ui, session: &mut Session) {
     ui.selectable_value(&mut is_free, true, "Azimuth")
         .on_hover_text("The polar plot cuts the lobe along any azimuth");
     match (is_free, session.section_phi_deg) {
-        (true, None) => session.section_phi_deg = Some(session.section_azimuth_deg()),
+        (true, None) => session.section_phi_deg = Some(session.section().azimuth_deg),
         (false, Some(_)) => session.section_phi_deg = None,
         _ => {}
     }

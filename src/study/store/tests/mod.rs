@@ -169,12 +169,12 @@ fn a_writer_that_fails_anywhere_loses_nothing() {
                 .find(|path| path.exists())
                 .unwrap();
             let opened = open(&mut folder.store(), &found).unwrap();
-            assert_eq!(opened, Opened::Session(Box::new(session(20.0))), "{works}");
+            assert_eq!(opened, Opened::from(session(20.0)), "{works}");
             // What a killed program left beside it is in nobody's way.
             let mut store = folder.store();
             store.save(&path, &session(40.0)).unwrap();
             let opened = open(&mut store, &path).unwrap();
-            assert_eq!(opened, Opened::Session(Box::new(session(40.0))));
+            assert_eq!(opened, Opened::from(session(40.0)));
             let partial = |name: &String| name.ends_with(".partial");
             let is_left = folder.names().iter().any(partial);
             assert_eq!(is_left, is_killed, "only a killed program leaves any");
@@ -201,7 +201,7 @@ fn files_of_the_wrong_kind_are_refused_in_a_line() {
     let folder = Folder::new("wrong");
     let text = session(10.0).to_toml().unwrap();
     let huge = "# ".to_owned() + &"x".repeat(MAX_TEXT as usize);
-    let newer = text.replace("version = 1", "version = 7");
+    let newer = text.replace("version = 2", "version = 7");
     let cases: [(&str, &[u8], &str); 8] = [
         ("picture.png", b"\x89PNG\r\n\x1a\n\xff\xfe", "no text"),
         ("letter.txt", b"Dear all,\nsee below.", "line 1"),
@@ -220,7 +220,7 @@ fn files_of_the_wrong_kind_are_refused_in_a_line() {
         (
             "newer.toml",
             newer.as_bytes(),
-            "a session of version 7; this program reads up to version 1",
+            "a session of version 7; this program reads up to version 2",
         ),
         (
             "model.toml",
@@ -311,7 +311,7 @@ fn all_that_the_trade_off_offers_is_kept_saved_and_opened_again() {
             store.save(&path, &session).unwrap();
             store.keep_now(&session).unwrap();
             let opened = open(&mut store, &path).unwrap();
-            assert!(opened == Opened::Session(Box::new(session.clone())), "{id}");
+            assert!(opened == Opened::from(session.clone()), "{id}");
             drop(store);
             let (restored, said) = folder.restored();
             assert!(

@@ -64,16 +64,33 @@ fn unreadable() -> [(Vec<u8>, &'static str); 6] {
         (Vec::new(), "there is nothing in it"),
         (b"theta_deg = \"steep\"".to_vec(), "session.toml: line 1"),
         (
-            text.replace("version = 1", "version = 2").into_bytes(),
+            text.replace("version = 2", "version = 3").into_bytes(),
             "a newer one is needed",
         ),
         (
-            text.replace("\"polar\"", "\"hologram\"").into_bytes(),
-            "unknown view 'hologram'",
+            text.replace("\"polar\"", "\"polar\", flavour = 1")
+                .into_bytes(),
+            "unknown field `flavour`",
         ),
         (text.as_bytes()[..400].to_vec(), "the file is cut off"),
         (b"\x89PNG\xff".to_vec(), "no text"),
     ]
+}
+
+#[test]
+fn what_is_left_out_at_the_start_is_said_and_the_rest_is_shown() {
+    let folder = Folder::new("left-out");
+    keep(&folder, 10.0);
+    let path = folder.file(LAST_SESSION);
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, text.replace("\"polar\"", "\"hologram\"")).unwrap();
+    let Restored {
+        session: shown,
+        said,
+    } = folder.store().restore(fresh());
+    assert_eq!((shown.theta_deg, shown.views.ids().len()), (10.0, 1));
+    assert!(said[0].contains("unknown view 'hologram'"), "{said:?}");
+    assert_eq!(said.len(), 1);
 }
 
 #[test]

@@ -11,17 +11,17 @@ use crate::theme::Palette;
 use crate::widgets::{deltas, draw, handle, pictures};
 use bxdf::math::frame;
 use bxdf_lab::analysis::Channel;
-use bxdf_lab::analysis::hemisphere::{DeltaValue, Map, Quantity};
+use bxdf_lab::analysis::hemisphere::{DeltaValue, Map, Projection, Quantity};
 use bxdf_study::format;
-use bxdf_study::session::{EntryId, Session};
+use bxdf_study::session::EntryId;
+use bxdf_study::views::hemisphere::Options;
 
 /// The circles drawn, in degrees from n.
 const CIRCLES_DEG: [f64; 2] = [30.0, 60.0];
 
 /// Circles of equal angle from n, the axes and their names.
-pub(super) fn draw_grid(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
+pub(super) fn draw_grid(ui: &Ui, projection: Projection, rect: Rect, palette: &Palette) {
     let painter = ui.painter();
-    let projection = session.views.hemisphere.projection;
     let (centre, radius) = (rect.center(), 0.5 * rect.width());
     let font = draw::small_font(ui);
     painter.circle_stroke(centre, radius, (1.0, palette.axis));
@@ -61,14 +61,15 @@ pub(super) fn draw_grid(ui: &Ui, session: &Session, rect: Rect, palette: &Palett
 }
 
 /// The mirror direction and the held one, where they are on the side shown.
-pub(super) fn draw_directions(ui: &Ui, session: &Session, rect: Rect, palette: &Palette) {
+pub(super) fn draw_directions(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect) {
+    let (session, palette) = (&*cx.session, cx.palette);
     let painter = ui.painter();
     let held = session.held();
     let mirror = DVec3::new(-held.x, -held.y, held.z);
     for (w, color) in [(mirror, palette.mirror), (held, palette.held(session.hold))] {
-        let place = session.views.hemisphere.projection.place(w);
+        let place = cx.options.projection.place(w);
         let at = pictures::position_of(rect, mirrored(place));
-        if (w.z > 0.0) == session.views.hemisphere.is_lower {
+        if (w.z > 0.0) == cx.options.is_lower {
             // On the other side of the surface: where it would be seen through it.
             painter.circle_stroke(at, 4.0, (1.0, color));
         } else {
@@ -78,8 +79,7 @@ pub(super) fn draw_directions(ui: &Ui, session: &Session, rect: Rect, palette: &
 }
 
 /// What is written at a delta.
-pub(super) fn delta_label(value: &DeltaValue, session: &Session) -> String {
-    let options = session.views.hemisphere;
+pub(super) fn delta_label(value: &DeltaValue, options: Options) -> String {
     let number = Channel::Luminance.of(value.value);
     let text = match options.quantity {
         Quantity::F | Quantity::FCos => deltas::label(number),
@@ -99,11 +99,11 @@ pub(super) fn delta_label(value: &DeltaValue, session: &Session) -> String {
 /// The deltas as rings; those to the other side where they would be seen through the surface.
 pub(super) fn draw_deltas(
     ui: &Ui,
-    cx: &ViewContext<'_>,
+    cx: &ViewContext<'_, Options>,
     rect: Rect,
     (entry, map): (EntryId, &Arc<Map>),
 ) {
-    let session = &*cx.session;
+    let (session, options) = (&*cx.session, *cx.options);
     let Some(found) = session.materials.get(entry) else {
         return;
     };
@@ -111,12 +111,12 @@ pub(super) fn draw_deltas(
     let color = cx.palette.material(found.slot());
     let held = session.held();
     let mut taken = Vec::new();
-    if (held.z > 0.0) != session.views.hemisphere.is_lower {
-        taken.push(handle::room(position(rect, held, session)));
+    if (held.z > 0.0) != options.is_lower {
+        taken.push(handle::room(position(rect, held, options.projection)));
     }
     for value in &map.deltas {
-        let is_on_side = (value.direction.z > 0.0) != session.views.hemisphere.is_lower;
-        let at = position(rect, value.direction, session);
+        let is_on_side = (value.direction.z > 0.0) != options.is_lower;
+        let at = position(rect, value.direction, options.projection);
         deltas::ring(&painter, at, (color, cx.palette), is_on_side);
         taken.push(Rect::from_center_size(
             at,
@@ -124,11 +124,11 @@ pub(super) fn draw_deltas(
         ));
     }
     for value in &map.deltas {
-        let at = position(rect, value.direction, session);
+        let at = position(rect, value.direction, options.projection);
         // Towards the middle, unless another ring stands there.
         let inwards = (rect.center().x - at.x).signum();
         let is_other = |other: &&DeltaValue| {
-            let gap = position(rect, other.direction, session) - at;
+            let gap = position(rect, other.direction, options.projection) - at;
             gap.x * inwards > 1.0 && gap.y.abs() < 2.0 * deltas::BESIDE_RING
         };
         let is_blocked = map.deltas.iter().any(|other| is_other(&other));
@@ -138,7 +138,7 @@ pub(super) fn draw_deltas(
             (Align2::RIGHT_CENTER, -deltas::BESIDE_RING - 1.0)
         };
         let place = (at + egui::vec2(aside, 0.0), anchor);
-        let text = delta_label(value, session);
+        let text = delta_label(value, options);
         let look = (cx.palette.ink, cx.palette);
         deltas::write(ui, &painter, &mut taken, place, &text, look);
     }

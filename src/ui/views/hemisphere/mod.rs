@@ -12,6 +12,7 @@ use bxdf_lab::analysis::{Channel, HeldLobe, Subject};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{DECADES, EntryId, MaterialEntry, Session};
+use bxdf_study::views::hemisphere::Options;
 
 mod marks;
 mod place;
@@ -21,14 +22,14 @@ use place::{LABELS, mirrored};
 /// The largest ratio that colours tell apart.
 const LARGEST_RATIO: f64 = 100.0;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.session, cx.options);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
     let maps = maps(cx);
-    let options = cx.session.views.hemisphere;
+    let options = *cx.options;
     let range = maps
         .iter()
         .map(|(_, map)| map.range(Channel::Luminance))
@@ -49,9 +50,9 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         return;
     }
     let mut room = ui.available_rect_before_wrap();
-    let scale = range.map(|range| scale(range, cx.session));
+    let scale = range.map(|range| scale(range, options));
     if let Some(scale) = scale {
-        room = pictures::color_bar(ui, room, scale, &quantity_name(cx.session), cx.palette);
+        room = pictures::color_bar(ui, room, scale, &quantity_name(options), cx.palette);
     }
     let cells = pictures::cells(room, maps.len(), 1.0);
     let mut first = None;
@@ -70,8 +71,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     ui.advance_cursor_after_rect(room);
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
-    let options = &mut session.views.hemisphere;
+fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
     ui.horizontal_wrapped(|ui| {
         let hint = "Which number: the value, with the cosine, the density of the sampler, or \
             what a sample weighs";
@@ -116,25 +116,20 @@ fn controls(ui: &mut Ui, session: &mut Session) {
 }
 
 /// The maps of the materials shown; where they are compared, the reference is none of them, unless it is alone.
-fn maps(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Map>)> {
+fn maps(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Map>)> {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let reference = session.materials.reference();
-    let is_compared = session.views.hemisphere.comparison != Comparison::None;
+    let is_compared = cx.options.comparison != Comparison::None;
+    let request = cx.options.request();
     let is_only = session.materials.shown().count() == 1;
     let wanted = |entry: &&MaterialEntry| !is_compared || is_only || entry.id() != reference.id();
     let against = is_compared.then_some(reference);
-    let map = |entry: &MaterialEntry| {
-        (
-            entry.id(),
-            data.compare(session, entry, against, session.hemisphere_request()),
-        )
-    };
+    let map = |entry: &MaterialEntry| (entry.id(), data.compare(session, entry, against, request));
     session.materials.shown().filter(wanted).map(map).collect()
 }
 
 /// The colours of values that reach so far.
-fn scale(range: Range, session: &Session) -> ColorScale {
-    let options = session.views.hemisphere;
+fn scale(range: Range, options: Options) -> ColorScale {
     let largest = range.highest.max(f64::MIN_POSITIVE);
     match options.comparison {
         Comparison::None if options.is_logarithmic => ColorScale {
@@ -175,8 +170,7 @@ fn scale(range: Range, session: &Session) -> ColorScale {
 }
 
 /// What the colours mean, with the unit.
-fn quantity_name(session: &Session) -> String {
-    let options = session.views.hemisphere;
+fn quantity_name(options: Options) -> String {
     let (title, unit) = (options.quantity.title(), options.quantity.unit());
     match options.comparison {
         Comparison::Ratio => format!("ratio of {title}"),
@@ -189,7 +183,7 @@ fn quantity_name(session: &Session) -> String {
 
 fn show_map(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     cell: Cell,
     (entry, map): (EntryId, &Arc<Map>),
     scale: Option<ColorScale>,
@@ -206,11 +200,11 @@ fn show_map(
             .paint(&map.channel(Channel::Luminance))
     };
     let response = pictures::show(ui, textures, cell, picture, cx.session, cx.palette, paint);
-    if let Some(scale) = scale.filter(|_| cx.session.views.hemisphere.has_contours) {
+    if let Some(scale) = scale.filter(|_| cx.options.has_contours) {
         draw_contours(ui, cx, cell.picture, (entry, map), scale);
     }
-    marks::draw_grid(ui, cx.session, cell.picture, cx.palette);
-    marks::draw_directions(ui, cx.session, cell.picture, cx.palette);
+    marks::draw_grid(ui, cx.options.projection, cell.picture, cx.palette);
+    marks::draw_directions(ui, cx, cell.picture);
     marks::draw_deltas(ui, cx, cell.picture, (entry, map));
     point(ui, cx, cell.picture, (entry, map), &response);
 }
@@ -223,13 +217,13 @@ const NOTHING: ColorScale = ColorScale {
 
 fn draw_contours(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     rect: Rect,
     (entry, map): (EntryId, &Arc<Map>),
     scale: ColorScale,
 ) {
     let [low, high] = scale.range;
-    let lines = cx.state.contours(entry, map, scale, |map| {
+    let lines = cx.state.contours((cx.view, entry), map, scale, |map| {
         let values = map.channel(Channel::Luminance);
         let levels = contour::levels(low, high, scale.kind == ScaleKind::Logarithmic);
         contour::lines(&values, &levels)
@@ -250,8 +244,8 @@ fn draw_contours(
 }
 
 /// The handle of the held direction.
-fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
-    let options = cx.session.views.hemisphere;
+fn drag_held(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
+    let options = *cx.options;
     let held = cx.session.held();
     if (held.z > 0.0) == options.is_lower {
         return;
@@ -274,12 +268,12 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
 /// The direction under the pointer; the one pointed at in another view.
 fn point(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     rect: Rect,
     (entry, map): (EntryId, &Arc<Map>),
     response: &Response,
 ) {
-    let options = cx.session.views.hemisphere;
+    let options = *cx.options;
     let Some(pointer) = response.hover_pos() else {
         if let Some(cursor) = &*cx.cursor
             && (cursor.direction.z > 0.0) != options.is_lower
@@ -300,9 +294,9 @@ fn point(
     };
     let mut text = read_out(cx, &cursor);
     for value in &map.deltas {
-        let at = place::position(rect, value.direction, cx.session);
+        let at = place::position(rect, value.direction, options.projection);
         if at.distance(pointer) <= deltas::BESIDE_RING {
-            text = format!("{text}\n{}", marks::delta_label(value, cx.session));
+            text = format!("{text}\n{}", marks::delta_label(value, options));
         }
     }
     draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
@@ -310,7 +304,7 @@ fn point(
 }
 
 /// The value at the cursor, as the map has it.
-fn read_out(cx: &mut ViewContext<'_>, cursor: &Cursor) -> String {
+fn read_out(cx: &mut ViewContext<'_, Options>, cursor: &Cursor) -> String {
     let session = &*cx.session;
     let (entry, reference) = (cursor.entry(session), session.materials.reference());
     let [surface, other] = [entry, reference].map(|entry| cx.data.surface(session, entry));
@@ -319,9 +313,7 @@ fn read_out(cx: &mut ViewContext<'_>, cursor: &Cursor) -> String {
         against: Some(lobe(&*other.bxdf)),
         ..Subject::of(lobe(&*surface.bxdf))
     };
-    let values = session
-        .hemisphere_request()
-        .values(&subject, &[cursor.direction]);
+    let values = cx.options.request().values(&subject, &[cursor.direction]);
     let value = values.and_then(|values| values.first().copied());
     let value = value.map_or(f64::NAN, |rgb| Channel::Luminance.of(rgb));
     let value = if value.is_finite() {
@@ -332,6 +324,6 @@ fn read_out(cx: &mut ViewContext<'_>, cursor: &Cursor) -> String {
     format!(
         "{}\n{}  {value}",
         draw::cursor_place(cursor, session),
-        quantity_name(session)
+        quantity_name(*cx.options)
     )
 }

@@ -4,7 +4,7 @@ use egui::Rect;
 use glam::DVec3;
 
 use crate::widgets::pictures;
-use bxdf_study::session::Session;
+use bxdf_lab::analysis::hemisphere::Projection;
 
 /// Room for labels around a disc, in points.
 pub(super) const LABELS: f32 = 15.0;
@@ -15,7 +15,7 @@ pub(super) fn mirrored([x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 /// Where a direction lies in a picture.
-pub(super) fn position(rect: Rect, w: DVec3, session: &Session) -> egui::Pos2 {
-    let place = session.views.hemisphere.projection.place(w);
+pub(super) fn position(rect: Rect, w: DVec3, projection: Projection) -> egui::Pos2 {
+    let place = projection.place(w);
     pictures::position_of(rect, mirrored(place))
 }

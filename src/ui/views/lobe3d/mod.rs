@@ -14,6 +14,7 @@ use crate::widgets::{draw, handle, reset};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::Session;
 use bxdf_study::session::{HomeView, OrbitCamera};
+use bxdf_study::views::lobe3d::Options;
 use sketch::Sketch;
 use surface::Lobes;
 
@@ -27,7 +28,7 @@ const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
 /// How much closer the camera then comes.
 const UPPER_ZOOM: f32 = 1.15;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     legend::show(ui, Sample::Patch, cx.session, cx.palette);
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
@@ -40,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     let view = SceneView {
         id: ui.scope_id().value(),
         scene: Arc::clone(&drawing.scene),
-        version: scene::version(cx),
+        version: drawing.version,
         camera: camera.clone(),
         background: rgba(cx.palette.background, 255),
     };
@@ -72,7 +73,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 }
 
 /// The direction pointed at in another view: a line to the dome.
-fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, rect: Rect, camera: &OrbitCamera) {
+fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect, camera: &OrbitCamera) {
     let Some(cursor) = &*cx.cursor else {
         return;
     };
@@ -138,7 +139,7 @@ fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
 }
 
 /// The handle of the held direction on the dome. Returns whether it is being dragged.
-fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, camera: &OrbitCamera) -> bool {
+fn drag_held(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, camera: &OrbitCamera) -> bool {
     let Some(tip) = camera.project(cx.session.held().as_vec3(), rect) else {
         return false;
     };
@@ -157,7 +158,7 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, camera: &OrbitCamera
 /// The direction and value under the pointer: on the lobe where the pointer meets it, else on the dome.
 fn read_out(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     response: &egui::Response,
     lobes: &Lobes,
     camera: &OrbitCamera,

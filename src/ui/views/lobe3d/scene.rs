@@ -17,6 +17,7 @@ use bxdf_lab::analysis::lobe3d::Mesh;
 use bxdf_study::memo::{Memo, Same};
 use bxdf_study::session::OrbitCamera;
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
+use bxdf_study::views::lobe3d::{Options, request};
 
 /// Brush lines to either side of the middle one.
 const BRUSH_LINES: i32 = 6;
@@ -40,11 +41,11 @@ pub(super) struct Requested {
 }
 
 /// The data of every material that is shown.
-pub(super) fn requested(cx: &mut ViewContext<'_>) -> Vec<Requested> {
+pub(super) fn requested(cx: &mut ViewContext<'_, Options>) -> Vec<Requested> {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let request = |entry: &MaterialEntry| Requested {
         material: entry.id(),
-        mesh: Same(data.ask(session, entry, session.mesh_request())),
+        mesh: Same(data.ask(session, entry, request(session))),
         arrows: Same(data.arrows(session, entry)),
     };
     session.materials.shown().map(request).collect()
@@ -53,6 +54,8 @@ pub(super) fn requested(cx: &mut ViewContext<'_>) -> Vec<Requested> {
 /// What is on the screen, less what is painted over it.
 pub(super) struct Drawing {
     pub(super) scene: Arc<Scene>,
+    /// What tells the scene from all others of any view.
+    pub(super) version: u64,
     pub(super) lobes: Lobes,
 }
 
@@ -62,7 +65,7 @@ type DrawingMemo = Memo<Key, Drawing>;
 /// The drawing of the session, made anew only where something other than the camera has changed.
 pub(super) fn drawing(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     requested: Vec<Requested>,
     has_lower: bool,
 ) -> Arc<Drawing> {
@@ -75,6 +78,7 @@ pub(super) fn drawing(
         is_dark: ui.ctx().theme() == Theme::Dark,
     };
     let (session, palette) = (&*cx.session, cx.palette);
+    let version = cx.state.unused_number();
     let memo: &mut DrawingMemo = cx.state.own(cx.view);
     memo.get(key, || {
         let parts = requested.into_iter().filter_map(|one| {
@@ -98,14 +102,10 @@ pub(super) fn drawing(
         }
         Drawing {
             scene: Arc::new(scene),
+            version,
             lobes,
         }
     })
-}
-
-/// What tells the drawing last shown from those before.
-pub(super) fn version(cx: &mut ViewContext<'_>) -> u64 {
-    cx.state.own::<DrawingMemo>(cx.view).version()
 }
 
 fn add_frame(scene: &mut Scene, palette: &Palette, has_lower: bool) {

@@ -293,6 +293,7 @@ mod tests {
     use super::*;
     use bxdf_study::data::Data;
     use bxdf_study::session::MaterialEntry;
+    use bxdf_study::views::lobe3d::request;
 
     fn lobes(session: &Session) -> Lobes {
         let mut data = Data::new(None, || {});
@@ -300,7 +301,7 @@ mod tests {
             material: entry.id(),
             title: entry.title(),
             color: Color32::WHITE,
-            mesh: data.ask(session, entry, session.mesh_request()),
+            mesh: data.ask(session, entry, request(session)),
             arrows: data.arrows(session, entry),
         };
         Lobes::of(session.materials.shown().map(part).collect(), session)

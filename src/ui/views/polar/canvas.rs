@@ -11,9 +11,9 @@ use crate::theme;
 use crate::theme::Dash;
 use crate::widgets::{chart, deltas, draw};
 use bxdf_lab::analysis::Channel;
-use bxdf_lab::analysis::polar::{self, Point, Section};
+use bxdf_lab::analysis::polar::{self, Point};
 use bxdf_study::format;
-use bxdf_study::session::{Curves, Session, Slot};
+use bxdf_study::session::{Curves, Section, Session, Slot};
 
 /// Radius of the angle labels.
 const ANGLE_LABEL_RADIUS: f64 = 1.075;
@@ -61,10 +61,10 @@ pub(super) fn draw_grid(
 pub(super) struct Plotted {
     pub(super) slot: Slot,
     pub(super) is_selected: bool,
-    pub(super) section: Arc<Section>,
+    pub(super) section: Arc<polar::Section>,
 }
 
-fn arcs(section: &Section) -> impl Iterator<Item = &Vec<Point>> {
+fn arcs(section: &polar::Section) -> impl Iterator<Item = &Vec<Point>> {
     [&section.upper, &section.lower]
         .into_iter()
         .filter(|arc| !arc.is_empty())
@@ -104,10 +104,10 @@ pub(super) fn draw_curves(
 /// The directions that are named, by importance: the held one, the mirror direction and n, with angle and colour.
 fn named_directions(
     session: &Session,
+    section: Section,
     palette: &theme::Palette,
 ) -> [(&'static str, f64, Color32); 3] {
-    let azimuth = session.section_azimuth_deg().to_radians();
-    let held = polar::signed_angle(session.held(), azimuth);
+    let held = polar::signed_angle(session.held(), section.phi());
     [
         (session.held_name(), held, palette.held(session.hold)),
         ("mirror", -held, palette.mirror),
@@ -118,13 +118,14 @@ fn named_directions(
 pub(super) fn draw_directions(
     plot_ui: &mut PlotUi<'_>,
     session: &Session,
+    section: Section,
     palette: &theme::Palette,
 ) {
     plot_ui.line(line([[0.0, 0.0], [0.0, 1.0]], (1.5, palette.ink)));
-    for (name, angle, color) in named_directions(session, palette) {
+    for (name, angle, color) in named_directions(session, section, palette) {
         let is_mirror = name == "mirror";
         // Outside the section the directions are shown at their theta, but faintly: they do not lie in it.
-        let style = if is_mirror || !session.section_holds_held() {
+        let style = if is_mirror || !section.holds_held {
             LineStyle::dashed_dense()
         } else {
             LineStyle::Solid
@@ -223,10 +224,15 @@ impl Canvas<'_> {
         );
     }
 
-    pub(super) fn name_directions(&self, session: &Session, palette: &theme::Palette) {
+    pub(super) fn name_directions(
+        &self,
+        session: &Session,
+        section: Section,
+        palette: &theme::Palette,
+    ) {
         let painter = self.painter();
         let mut taken: Vec<f64> = Vec::new();
-        for (name, angle, color) in named_directions(session, palette) {
+        for (name, angle, color) in named_directions(session, section, palette) {
             // Where directions fall together, the first named stands for all.
             if taken
                 .iter()

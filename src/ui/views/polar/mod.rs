@@ -10,6 +10,7 @@ use crate::widgets::{draw, handle, reset};
 use bxdf_lab::analysis::{deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{MaterialEntry, wrapped_deg};
+use bxdf_study::views::polar::Options;
 use canvas::{Canvas, Plotted};
 use radial::{Radial, at};
 
@@ -26,7 +27,7 @@ const WINDOW_SLACK: f64 = 0.005;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     let plotted = plotted(cx);
     let has_deltas = plotted.iter().any(|one| !one.section.stems.is_empty());
@@ -52,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         .default_x_bounds(window.min()[0], window.max()[0])
         .default_y_bounds(window.min()[1], window.max()[1])
         .label_formatter(|_| None);
-    let palette = *cx.palette;
+    let (palette, section) = (*cx.palette, cx.options.own_section_deg.of(cx.session));
     let response = plot.show(ui, |plot_ui| {
         if is_new {
             // The window follows the room until it is panned or zoomed; what is panned stays so in any room.
@@ -63,7 +64,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         for one in &plotted {
             canvas::draw_curves(plot_ui, cx.session, one, &radial, &palette);
         }
-        canvas::draw_directions(plot_ui, cx.session, &palette);
+        canvas::draw_directions(plot_ui, cx.session, section, &palette);
     });
     let canvas = Canvas {
         ui,
@@ -75,7 +76,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
         canvas.fill(cx.session, one, &radial, &palette);
     }
     canvas.label_grid(&radial, &palette, has_lower);
-    canvas.name_directions(cx.session, &palette);
+    canvas.name_directions(cx.session, section, &palette);
     canvas.name_curves(cx.session, &palette);
     let mut taken = Vec::new();
     for one in &plotted {
@@ -109,11 +110,11 @@ fn is_near(bounds: &PlotBounds, window: &PlotBounds) -> bool {
 }
 
 /// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
-fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, transform: &PlotTransform) {
+fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, transform: &PlotTransform) {
     let Some(cursor) = &*cx.cursor else {
         return;
     };
-    let azimuth = cx.session.section_azimuth_deg().to_radians();
+    let azimuth = cx.options.own_section_deg.of(cx.session).phi();
     let angle = polar::signed_angle(cursor.direction, azimuth);
     let ends = [[0.0, 0.0], at(1.0, angle)]
         .map(|[x, y]| transform.position_from_point(&PlotPoint::new(x, y)));
@@ -126,13 +127,14 @@ fn mark_cursor(ui: &Ui, cx: &ViewContext<'_>, transform: &PlotTransform) {
 }
 
 /// What the plot shows, the selected material last, so that it lies over the others.
-fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
+fn plotted(cx: &mut ViewContext<'_, Options>) -> Vec<Plotted> {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let selected = session.materials.selected().id();
+    let request = cx.options.request(session);
     let plot = |entry: &MaterialEntry| Plotted {
         slot: entry.slot(),
         is_selected: entry.id() == selected,
-        section: data.ask(session, entry, session.section_request()),
+        section: data.ask(session, entry, request),
     };
     let mut plotted: Vec<Plotted> = session.materials.shown().map(plot).collect();
     plotted.sort_by_key(|one| one.is_selected);
@@ -140,7 +142,7 @@ fn plotted(cx: &mut ViewContext<'_>) -> Vec<Plotted> {
 }
 
 /// Why there is less to see than one might expect.
-fn note(cx: &ViewContext<'_>, plotted: &[Plotted]) -> Option<&'static str> {
+fn note(cx: &ViewContext<'_, Options>, plotted: &[Plotted]) -> Option<&'static str> {
     let session = &*cx.session;
     let is_empty = |one: &Plotted| one.section.upper.is_empty() && one.section.lower.is_empty();
     let mut stems = plotted.iter().flat_map(|one| &one.section.stems);
@@ -152,7 +154,7 @@ fn note(cx: &ViewContext<'_>, plotted: &[Plotted]) -> Option<&'static str> {
         Some("In the surface plane a direction carries no light")
     } else if is_empty {
         Some("No light leaves: total internal reflection, or all is absorbed")
-    } else if has_outside || !session.section_holds_held() {
+    } else if has_outside || !cx.options.own_section_deg.of(session).holds_held {
         Some("Dashed: outside this section, drawn at its θ")
     } else if session.curves != session.shown_curves() {
         Some("Luminance: R, G and B are drawn where one material is shown")
@@ -176,8 +178,9 @@ fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
 }
 
 /// The handle of the held direction. Returns whether it is being dragged.
-fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bool {
-    let azimuth = cx.session.section_azimuth_deg().to_radians();
+fn drag_held(ui: &Ui, cx: &mut ViewContext<'_, Options>, transform: &PlotTransform) -> bool {
+    let section = cx.options.own_section_deg.of(cx.session);
+    let azimuth = section.phi();
     let angle = polar::signed_angle(cx.session.held(), azimuth);
     let [x, y] = at(1.0, angle);
     let tip = transform.position_from_point(&PlotPoint::new(x, y));
@@ -188,7 +191,7 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bo
     if let Some(place) = handle.dragged_to() {
         let place = transform.value_from_position(place);
         let dragged_to = place.x.atan2(place.y);
-        if cx.session.section_holds_held() {
+        if section.holds_held {
             cx.session.set_held(polar::direction(dragged_to, azimuth));
         } else {
             // Outside the section only theta is the pointer's, and the side of n on which it is drawn.
@@ -206,7 +209,7 @@ fn drag_held(ui: &Ui, cx: &mut ViewContext<'_>, transform: &PlotTransform) -> bo
 /// The direction and value under the pointer.
 fn read_out(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     plot: &egui::Response,
     transform: &PlotTransform,
     radial: &Radial,
@@ -225,7 +228,7 @@ fn read_out(
     let slot = entry.slot();
     let cursor = Cursor {
         material: entry.id(),
-        direction: polar::direction(angle, cx.session.section_request().phi),
+        direction: polar::direction(angle, cx.options.request(cx.session).phi),
     };
     let value = cursor.value(cx.session, cx.data);
     let painter = ui.painter_at(*transform.frame());

@@ -11,9 +11,10 @@ use crate::widgets::legend::{self, Sample};
 use crate::widgets::{deltas as labels, draw};
 use bxdf_lab::analysis::deltas;
 use bxdf_study::format;
+use bxdf_study::views::sampling::Options;
 
 /// The density and f cos over its integral, in the section.
-pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     legend::show(ui, Sample::Patch, cx.session, cx.palette);
     let studies = studies(cx);
     let is_overlay = studies.len() > 1;
@@ -66,15 +67,19 @@ pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     };
     let mut chart = Chart::of("Densities", [x, y], series);
     chart.stems = stems;
-    chart.marks = context::section_marks(cx.session, cx.palette);
+    chart.marks = context::section_marks(
+        cx.session,
+        cx.options.own_section_deg.of(cx.session),
+        cx.palette,
+    );
     chart.has_names = true;
     read(ui, cx, &chart, "θ ");
 }
 
 /// The deltas of the section, as high as the chance that a sample is theirs.
-fn delta_stems(cx: &mut ViewContext<'_>) -> Vec<chart::Stem> {
+fn delta_stems(cx: &mut ViewContext<'_, Options>) -> Vec<chart::Stem> {
     let (session, data) = (&*cx.session, &mut *cx.data);
-    let phi = session.sampling_request().phi;
+    let phi = cx.options.request(session).phi;
     let mut stems = Vec::new();
     for entry in session.materials.shown() {
         let arrows = data.arrows(session, entry);
@@ -94,7 +99,7 @@ fn delta_stems(cx: &mut ViewContext<'_>) -> Vec<chart::Stem> {
 }
 
 /// What samples weigh, on a logarithmic axis.
-pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     legend::show(ui, Sample::Line, cx.session, cx.palette);
     let studies = studies(cx);
     let (mut series, mut bands, mut texts) = (Vec::new(), Vec::new(), Vec::new());
@@ -160,7 +165,7 @@ pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_>) {
 }
 
 /// Draws a chart and reads out under the pointer.
-fn read(ui: &mut Ui, cx: &ViewContext<'_>, chart: &Chart, heading: &str) {
+fn read(ui: &mut Ui, cx: &ViewContext<'_, Options>, chart: &Chart, heading: &str) {
     let shown = chart.show(ui, None, cx.palette);
     if let Some([x, _]) = chart.pointed(&shown) {
         chart.read_out(
@@ -174,9 +179,9 @@ fn read(ui: &mut Ui, cx: &ViewContext<'_>, chart: &Chart, heading: &str) {
 }
 
 /// The spread of estimates of the integral of f cos by each way of sampling.
-pub(super) fn show_estimators(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show_estimators(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let studies = studies(cx);
-    let count = cx.session.sampling_request().count;
+    let count = cx.options.request(cx.session).count;
     ui.label(format!(
         "Estimates of the integral of f cos from {count} samples each, deltas left out:"
     ));

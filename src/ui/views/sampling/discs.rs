@@ -18,7 +18,8 @@ use bxdf_lab::analysis::raster::Raster;
 use bxdf_lab::analysis::sampling::{Cell as Bin, Histogram, Warp};
 use bxdf_study::format;
 use bxdf_study::session::OrbitCamera;
-use bxdf_study::session::{EntryId, MaterialEntry, SamplingPlot, Session};
+use bxdf_study::session::{EntryId, MaterialEntry, Session};
+use bxdf_study::views::sampling::{Options, Plot, WARP};
 
 /// How directions lie on the discs.
 const DISC: Projection = Projection::EqualArea;
@@ -43,13 +44,13 @@ const ROOM_FOR_TEST: f32 = 180.0;
 const SUSPICIOUS: f64 = 1e-4;
 
 /// Draws into the disc of one material.
-type DrawDisc = fn(&Ui, &mut ViewContext<'_>, &Disc, EntryId);
+type DrawDisc = fn(&Ui, &mut ViewContext<'_, Options>, &Disc, EntryId);
 
 /// A disc for each material, n in its middle, what goes below the surface seen through it.
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, draw_disc: DrawDisc) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, draw_disc: DrawDisc) {
     let room = ui.available_rect_before_wrap();
     let mut discs = room;
-    if cx.session.views.sampling.plot == SamplingPlot::Histogram {
+    if cx.options.plot == Plot::Histogram {
         discs = pictures::color_bar(ui, room, deviations(), "standard deviations", cx.palette);
     }
     let ids: Vec<EntryId> = cx
@@ -64,7 +65,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, draw_disc: DrawDisc) {
             ..cell
         };
         pictures::title(ui, cell, entry, cx.session, cx.palette);
-        let disc = Disc::of(disc.picture, cx.session);
+        let disc = Disc::of(disc.picture, cx);
         draw_disc(ui, cx, &disc, entry);
         disc.frame(ui, cx.session, cx.palette);
     }
@@ -79,8 +80,8 @@ pub(super) struct Disc {
 }
 
 impl Disc {
-    fn of(rect: Rect, session: &Session) -> Self {
-        let options = session.views.sampling;
+    fn of(rect: Rect, cx: &ViewContext<'_, Options>) -> Self {
+        let (session, options) = (&*cx.session, &*cx.options);
         let is_dome = options.is_dome && options.plot.shows_directions();
         Self {
             rect,
@@ -132,12 +133,12 @@ impl Disc {
 }
 
 /// The samples as dots; those below the surface as rings; deltas as one ring with their number.
-pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry: EntryId) {
+pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Disc, entry: EntryId) {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let Some(found) = session.materials.get(entry) else {
         return;
     };
-    let study = data.ask(session, found, session.sampling_request());
+    let study = data.ask(session, found, cx.options.request(session));
     let color = color_of(cx, entry);
     let painter = ui.painter();
     let radius = (disc.rect.width() / 260.0).clamp(0.7, 1.8);
@@ -187,12 +188,12 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry:
 }
 
 /// The images of the grid of random numbers, lobe by lobe.
-pub(super) fn draw_warp(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry: EntryId) {
+pub(super) fn draw_warp(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Disc, entry: EntryId) {
     let (session, data) = (&*cx.session, &mut *cx.data);
     let Some(found) = session.materials.get(entry) else {
         return;
     };
-    let warps = data.ask(session, found, session.warp_request());
+    let warps = data.ask(session, found, WARP);
     let is_only = warps.len() == 1;
     for Warp { lobe, lines } in warps.iter() {
         let color = if is_only {
@@ -235,13 +236,18 @@ fn deviations() -> ColorScale {
 }
 
 /// By how much each cell's samples differ from what the density says, and the chance of that.
-pub(super) fn draw_histogram(ui: &Ui, cx: &mut ViewContext<'_>, disc: &Disc, entry: EntryId) {
+pub(super) fn draw_histogram(
+    ui: &Ui,
+    cx: &mut ViewContext<'_, Options>,
+    disc: &Disc,
+    entry: EntryId,
+) {
     let rect = disc.rect;
     let (session, data) = (&*cx.session, &mut *cx.data);
     let Some(found) = session.materials.get(entry) else {
         return;
     };
-    let study = data.ask(session, found, session.sampling_request());
+    let study = data.ask(session, found, cx.options.request(session));
     let id = ui.scope_id().with(("histogram", entry));
     let sources = vec![Arc::clone(&study) as _];
     let scale = deviations();

@@ -6,38 +6,37 @@ use super::context::ViewContext;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
 use bxdf_study::number::NumberSpec;
-use bxdf_study::session::{SAMPLES_LOG2, SEED, SamplingOptions, SamplingPlot, Session};
+use bxdf_study::views::sampling::{Options, Plot, SAMPLES_LOG2, SEED};
 
 mod charts;
 mod discs;
 mod studies;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.options);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
-    match cx.session.views.sampling.plot {
-        SamplingPlot::Points => discs::show(ui, cx, discs::draw_points),
-        SamplingPlot::Warp => discs::show(ui, cx, discs::draw_warp),
-        SamplingPlot::Histogram => discs::show(ui, cx, discs::draw_histogram),
-        SamplingPlot::Curves => charts::show_curves(ui, cx),
-        SamplingPlot::Weights => charts::show_weights(ui, cx),
-        SamplingPlot::Estimators => charts::show_estimators(ui, cx),
+    match cx.options.plot {
+        Plot::Points => discs::show(ui, cx, discs::draw_points),
+        Plot::Warp => discs::show(ui, cx, discs::draw_warp),
+        Plot::Histogram => discs::show(ui, cx, discs::draw_histogram),
+        Plot::Curves => charts::show_curves(ui, cx),
+        Plot::Weights => charts::show_weights(ui, cx),
+        Plot::Estimators => charts::show_estimators(ui, cx),
     }
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
-    let options = &mut session.views.sampling;
+fn controls(ui: &mut Ui, options: &mut Options) {
     ui.horizontal_wrapped(|ui| {
         let hint = "What of the sampling is shown";
         choice::choice(
             ui,
             ("Show", hint),
             &mut options.plot,
-            SamplingPlot::ALL,
-            SamplingPlot::title,
+            Plot::ALL,
+            Plot::title,
         );
         let hint = "How many samples are drawn: a power of 2";
         ui.label("Samples").on_hover_text(hint);
@@ -59,7 +58,7 @@ fn controls(ui: &mut Ui, session: &mut Session) {
 }
 
 /// The number of samples: its power of 2 on the slider, the number itself in the field.
-fn samples(ui: &mut Ui, options: &mut SamplingOptions, hint: &str) {
+fn samples(ui: &mut Ui, options: &mut Options, hint: &str) {
     let mut log2 = f64::from(options.count_log2);
     let counts = NumberSpec::new("samples", SAMPLES_LOG2.range.map(f64::exp2)).whole();
     let is_power = |count: f64| {

@@ -7,21 +7,18 @@ use egui::Color32;
 use super::super::context::ViewContext;
 use bxdf_lab::analysis::sampling::Study;
 use bxdf_study::session::{EntryId, MaterialEntry};
+use bxdf_study::views::sampling::Options;
 
 /// The samples of every material shown.
-pub(super) fn studies(cx: &mut ViewContext<'_>) -> Vec<(EntryId, Arc<Study>)> {
+pub(super) fn studies(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Study>)> {
     let (session, data) = (&*cx.session, &mut *cx.data);
-    let study = |entry: &MaterialEntry| {
-        (
-            entry.id(),
-            data.ask(session, entry, session.sampling_request()),
-        )
-    };
+    let request = cx.options.request(session);
+    let study = |entry: &MaterialEntry| (entry.id(), data.ask(session, entry, request));
     session.materials.shown().map(study).collect()
 }
 
 /// The colour of a material.
-pub(super) fn color_of(cx: &ViewContext<'_>, entry: EntryId) -> Color32 {
+pub(super) fn color_of(cx: &ViewContext<'_, Options>, entry: EntryId) -> Color32 {
     let found = cx.session.materials.get(entry);
     found.map_or(cx.palette.ink, |entry| cx.palette.material(entry.slot()))
 }

@@ -9,7 +9,8 @@ use crate::widgets::{deltas, handle, pictures};
 use bxdf::math::frame;
 use bxdf_lab::analysis::sphere::{self, Light};
 use bxdf_lab::analysis::{Channel, Subject};
-use bxdf_study::session::{EntryId, LIGHT_PHI, LIGHT_THETA, Session};
+use bxdf_study::session::EntryId;
+use bxdf_study::views::sphere::{LIGHT_PHI, LIGHT_THETA, Options};
 
 /// How far outside the disc a light stands that is right behind the sphere, in radii.
 const BEHIND: f64 = 0.3;
@@ -17,14 +18,14 @@ const BEHIND: f64 = 0.3;
 /// Where a mirror shows the light itself: a delta, too small to be seen, with a ring about it.
 pub(super) fn mark_glint(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     (strip, rect): (Rect, Rect),
     light: DVec3,
     entry: EntryId,
 ) {
     let session = &*cx.session;
     // The other lights are wide enough to be seen.
-    let is_point = session.views.sphere.light == Light::Directional;
+    let is_point = cx.options.light == Light::Directional;
     let Some(found) = session.materials.get(entry).filter(|_| is_point) else {
         return;
     };
@@ -40,15 +41,14 @@ pub(super) fn mark_glint(
         let place = (beside, Align2::LEFT_CENTER);
         let text = deltas::label(Channel::Luminance.of(flux));
         let look = (cx.palette.ink, cx.palette);
-        let mut taken = vec![handle::room(position(rect, handle_place(session)))];
+        let mut taken = vec![handle::room(position(rect, handle_place(cx.options)))];
         deltas::write(ui, &painter, &mut taken, place, &text, look);
     }
 }
 
 /// Where the light's handle is, in radii of the sphere: on the sphere where it faces the light, outside of it where the light
 /// stands behind.
-fn handle_place(session: &Session) -> [f64; 2] {
-    let options = &session.views.sphere;
+fn handle_place(options: &Options) -> [f64; 2] {
     let (sin, cos) = options.phi_deg.to_radians().sin_cos();
     let reach = if options.theta_deg <= 90.0 {
         options.theta_deg.to_radians().sin()
@@ -59,11 +59,11 @@ fn handle_place(session: &Session) -> [f64; 2] {
 }
 
 /// The handle of the light.
-pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
-    if !cx.session.views.sphere.light.has_direction() {
+pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
+    if !cx.options.light.has_direction() {
         return;
     }
-    let at = position(rect, handle_place(cx.session));
+    let at = position(rect, handle_place(cx.options));
     let id = ui.scope_id().with("light of the sphere");
     let named = (id, "Light of the sphere", ui.clip_rect());
     let handle = handle::show(ui, at, named, cx.palette.light, cx.palette);
@@ -82,7 +82,7 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect) {
     } else {
         90.0 + 90.0 * ((radius - 1.0) / BEHIND).min(1.0)
     };
-    let options = &mut cx.session.views.sphere;
+    let options = &mut *cx.options;
     let tenth = |angle: f64| (10.0 * angle).round() / 10.0;
     LIGHT_THETA.put(&mut options.theta_deg, tenth(theta_deg));
     if radius > 1e-3 {

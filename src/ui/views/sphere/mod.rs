@@ -14,7 +14,8 @@ use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::half_difference::Spherical;
 use bxdf_lab::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
 use bxdf_study::format;
-use bxdf_study::session::{Arrangement, EXPOSURE, EntryId, MaterialEntry, Session};
+use bxdf_study::session::{EntryId, MaterialEntry, Session};
+use bxdf_study::views::sphere::{Arrangement, EXPOSURE, Options};
 
 mod light;
 mod place;
@@ -24,20 +25,20 @@ use place::position;
 /// Room around a sphere for the handle of a light that stands behind it, as a share of the picture.
 const MARGIN: f32 = 0.08;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.session, cx.options);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
     let room = ui.available_rect_before_wrap();
-    let options = cx.session.views.sphere;
+    let options = *cx.options;
     let is_difference = options.arrangement == Arrangement::Difference;
     let room = if is_difference && cx.session.materials.is_overlay() {
         pictures::color_bar(
             ui,
             room,
-            difference_scale(cx.session),
+            difference_scale(&options),
             "difference of radiance",
             cx.palette,
         )
@@ -74,9 +75,8 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     ui.advance_cursor_after_rect(room);
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
+fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
     let is_overlay = session.materials.is_overlay();
-    let options = &mut session.views.sphere;
     ui.horizontal_wrapped(|ui| {
         let hint = "What lights the sphere";
         choice::choice(
@@ -108,13 +108,13 @@ fn controls(ui: &mut Ui, session: &mut Session) {
 }
 
 /// The radiance that becomes white.
-fn white(session: &Session) -> f64 {
-    (-session.views.sphere.exposure).exp2()
+fn white(options: &Options) -> f64 {
+    (-options.exposure).exp2()
 }
 
 /// The colours of differences: half of white either way.
-fn difference_scale(session: &Session) -> ColorScale {
-    let end = 0.5 * white(session);
+fn difference_scale(options: &Options) -> ColorScale {
+    let end = 0.5 * white(options);
     ColorScale {
         range: [-end, end],
         kind: ScaleKind::Diverging,
@@ -124,32 +124,32 @@ fn difference_scale(session: &Session) -> ColorScale {
 /// The picture of a material as a texture, or of its difference from that of the reference.
 fn texture(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     entry: EntryId,
     width: f32,
     is_difference: bool,
 ) -> Option<pictures::Texture> {
     let (session, data) = (&*cx.session, &mut *cx.data);
-    let request = session.sphere_request(width * ui.ctx().pixels_per_point());
+    let request = cx.options.request(width * ui.ctx().pixels_per_point());
     let mut of = |entry: &MaterialEntry| data.ask(session, entry, request);
     let picture = of(session.materials.get(entry)?);
     let id = ui.scope_id().with(("sphere", entry));
     let textures = &mut cx.state.textures;
     if is_difference {
         let reference = of(session.materials.reference());
-        let scale = difference_scale(session);
+        let scale = difference_scale(cx.options);
         let sources = vec![Arc::clone(&picture) as _, Arc::clone(&reference) as _];
         let paint = || difference(&picture, &reference, scale);
         return Some(textures.get(ui, id, (sources, Some(scale)), paint));
     }
     // The look is the radiance that becomes white.
     let look = ColorScale {
-        range: [0.0, white(session)],
+        range: [0.0, white(cx.options)],
         kind: ScaleKind::Linear,
     };
     let sources = vec![Arc::clone(&picture) as _];
     Some(textures.get(ui, id, (sources, Some(look)), || {
-        exposed(&picture, white(session))
+        exposed(&picture, white(cx.options))
     }))
 }
 
@@ -177,8 +177,8 @@ fn difference(picture: &Picture, reference: &Picture, scale: ColorScale) -> Colo
 }
 
 /// A sphere for each material. Returns whether one is clipped.
-fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
-    let options = cx.session.views.sphere;
+fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool {
+    let options = *cx.options;
     let is_difference =
         options.arrangement == Arrangement::Difference && cx.session.materials.is_overlay();
     let reference = cx.session.materials.reference().id();
@@ -215,7 +215,7 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
 }
 
 /// One sphere, a strip of it for each material. Returns whether one is clipped.
-fn show_wipe(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
+fn show_wipe(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool {
     let ids: Vec<EntryId> = cx
         .session
         .materials
@@ -254,14 +254,14 @@ fn show_wipe(ui: &mut Ui, cx: &mut ViewContext<'_>, room: Rect) -> bool {
     is_clipped
 }
 
-fn interact(ui: &Ui, cx: &mut ViewContext<'_>, cell: Cell, entry: EntryId, name: &str) {
+fn interact(ui: &Ui, cx: &mut ViewContext<'_, Options>, cell: Cell, entry: EntryId, name: &str) {
     interact_strip(ui, cx, (cell.picture, cell.picture), entry, name);
 }
 
 /// The pointer over the part `strip` of the sphere in `rect`: reads out, and a click holds the directions of that point.
 fn interact_strip(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     (strip, rect): (Rect, Rect),
     entry: EntryId,
     name: &str,
@@ -272,7 +272,7 @@ fn interact_strip(
         Sense::click(),
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, format!("Sphere of {name}")));
-    let request = cx.session.sphere_request(rect.width());
+    let request = cx.options.request(rect.width());
     if !request.light.has_direction() {
         return;
     }
@@ -296,7 +296,7 @@ fn interact_strip(
 
 fn read_out(
     ui: &Ui,
-    cx: &ViewContext<'_>,
+    cx: &ViewContext<'_, Options>,
     (response, name): (&Response, &str),
     (wo, wi): (DVec3, DVec3),
 ) {
@@ -319,7 +319,7 @@ fn read_out(
 }
 
 /// The point that shows the pair of the other views: a ring, thin where the sphere has only one with its half vector.
-fn mark_pair(ui: &Ui, cx: &ViewContext<'_>, rect: Rect, light: DVec3) {
+fn mark_pair(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect, light: DVec3) {
     let (wo, wi) = cx.pair();
     if let Some(normal) = normal_of(light, wo, wi) {
         let at = position(rect, normal.place);

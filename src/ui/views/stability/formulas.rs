@@ -8,6 +8,7 @@ use crate::widgets::chart::{Axis, Chart, Series};
 use crate::widgets::draw;
 use bxdf_lab::trial::{Outcome, TRIALS, Trial};
 use bxdf_study::format;
+use bxdf_study::views::stability::Options;
 
 /// Values tried along the parameter.
 const COUNT: usize = 240;
@@ -24,8 +25,8 @@ pub(super) fn chosen(id: &str) -> &'static Trial {
     TRIALS.iter().find(|trial| trial.id == id).unwrap_or(first)
 }
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    let trial = chosen(&cx.session.views.stability.trial);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    let trial = chosen(&cx.options.trial);
     let outcomes: Vec<(f64, Outcome)> = trial.curve(COUNT).collect();
     let line = |of: &dyn Fn(&Outcome) -> f64| -> Vec<[f64; 2]> {
         let place = |(x, outcome): &(f64, Outcome)| [*x, of(outcome).clamp(ERRORS[0], ERRORS[1])];

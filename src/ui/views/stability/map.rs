@@ -16,7 +16,7 @@ use bxdf_lab::stability::map::{Axis, Cell, Map, Request};
 use bxdf_study::format;
 use bxdf_study::memo::Memo;
 use bxdf_study::memo::Same;
-use bxdf_study::session::ErrorUnit;
+use bxdf_study::views::stability::{ErrorUnit, Options, place};
 
 /// The precisions, from the left.
 const PRECISIONS: [&str; 2] = ["f32", "f64"];
@@ -42,11 +42,11 @@ const LABELS: egui::Vec2 = vec2(54.0, 30.0);
 /// Room between numbers of an axis, in points.
 const TICK_SPACING: f32 = 46.0;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    let request = cx.session.stability_request();
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    let request = cx.options.request(cx.session);
     let selected = cx.session.materials.selected();
     let map = cx.data.ask(cx.session, selected, request.clone());
-    let (range, name) = match cx.session.views.stability.unit {
+    let (range, name) = match cx.options.unit {
         ErrorUnit::Roundings => (ROUNDINGS, "error, in u"),
         ErrorUnit::Relative => (ERRORS, "relative error"),
         ErrorUnit::Bound => (RATIOS, "error over bound"),
@@ -90,18 +90,18 @@ fn value(cell: &Cell, precision: usize, unit: ErrorUnit) -> f64 {
 /// Draws the map of a precision. Returns what is to be said where the pointer is.
 fn show_map(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     rect: Rect,
     (request, map, precision): (&Request, &Arc<Map>, usize),
     scale: ColorScale,
 ) -> Option<(Pos2, String)> {
-    let unit = cx.session.views.stability.unit;
+    let unit = cx.options.unit;
     let id = ui.scope_id().with(("stability", precision));
     let paint = || scale.paint(&map.map(|cell| value(cell, precision, unit)));
     let made_of = (vec![Arc::clone(map) as _], Some(scale));
     let texture = cx.state.textures.get(ui, id, made_of, paint);
     texture.paint(ui.painter(), rect);
-    if cx.session.views.stability.has_contours {
+    if cx.options.has_contours {
         draw_kappas(ui, cx, rect, map);
     }
     draw_violations(ui, cx.palette, rect, map, precision);
@@ -109,7 +109,7 @@ fn show_map(
     let free = cx
         .cursor
         .map_or_else(|| mirror_of(cx.session.held()), |cursor| cursor.direction);
-    let place = cx.session.stability_place(cx.session.held(), free);
+    let place = place(cx.session, cx.session.held(), free);
     let share = [request.x.share(&place), 1.0 - request.y.share(&place)];
     let at = pictures::position_of(rect, share);
     ui.painter().circle_stroke(at, 5.0, (1.5, cx.palette.ink));
@@ -138,7 +138,7 @@ fn mirror_of(w: DVec3) -> DVec3 {
 }
 
 /// Lines of equal condition number.
-fn draw_kappas(ui: &Ui, cx: &mut ViewContext<'_>, rect: Rect, map: &Arc<Map>) {
+fn draw_kappas(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, map: &Arc<Map>) {
     let kappas: &mut Memo<Same<Map>, Lines> = cx.state.own(cx.view);
     let lines = kappas.get(Same(Arc::clone(map)), || {
         let levels: Vec<f64> = KAPPAS.map(f64::from).collect();

@@ -12,22 +12,23 @@ use crate::theme;
 use crate::widgets::{choice, draw};
 use bxdf_lab::stability::map::Axis;
 use bxdf_lab::trial::TRIALS;
-use bxdf_study::session::{ErrorUnit, Session, StabilityPlot};
+use bxdf_study::session::Session;
+use bxdf_study::views::stability::{ErrorUnit, Options, Plot};
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    controls(ui, cx.session);
-    match cx.session.views.stability.plot {
-        StabilityPlot::Formulas => formulas::show(ui, cx),
-        StabilityPlot::Map if cx.session.material().is_delta_only() => {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    controls(ui, cx.session, cx.options);
+    match cx.options.plot {
+        Plot::Formulas => formulas::show(ui, cx),
+        Plot::Map if cx.session.material().is_delta_only() => {
             let note = "All light is in Dirac deltas: f and the density are 0 everywhere";
             draw::centred_note(ui, note);
         }
-        StabilityPlot::Map => maps_and_list(ui, cx),
+        Plot::Map => maps_and_list(ui, cx),
     }
 }
 
 /// The maps, with the list of the worst points beside or below them.
-fn maps_and_list(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+fn maps_and_list(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let room = ui.available_size();
     if room.x > theme::ADVICE_BESIDE {
         ui.horizontal_top(|ui| {
@@ -45,16 +46,15 @@ fn maps_and_list(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     }
 }
 
-fn controls(ui: &mut Ui, session: &mut Session) {
+fn controls(ui: &mut Ui, session: &Session, options: &mut Options) {
     let axes = Axis::all(session.material());
-    let (x, y) = session.stability_axes();
+    let (x, y) = options.axes(session);
     let selected = session.materials.title(session.materials.selected());
-    let options = &mut session.views.stability;
     ui.horizontal_wrapped(|ui| {
         let hint = "The selected material over two axes, or the forms of formulas that keep or lose \
             their digits";
-        choice::choice(ui, ("Show", hint), &mut options.plot, StabilityPlot::ALL, StabilityPlot::title);
-        if options.plot == StabilityPlot::Formulas {
+        choice::choice(ui, ("Show", hint), &mut options.plot, Plot::ALL, Plot::title);
+        if options.plot == Plot::Formulas {
             formula_choice(ui, &mut options.trial);
             return;
         }

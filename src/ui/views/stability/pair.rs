@@ -3,9 +3,10 @@
 use super::super::context::ViewContext;
 use bxdf_lab::contract::Witness;
 use bxdf_study::cursor::Cursor;
+use bxdf_study::views::stability::Options;
 
 /// Holds one direction of this pair of the selected material's surface, and points at the other.
-pub(super) fn go_to(cx: &mut ViewContext<'_>, wo: glam::DVec3, wi: glam::DVec3) {
+pub(super) fn go_to(cx: &mut ViewContext<'_, Options>, wo: glam::DVec3, wi: glam::DVec3) {
     let witness = Witness {
         text: String::new(),
         wo: Some(wo),

@@ -6,11 +6,12 @@ use super::super::context::ViewContext;
 use super::pair::go_to;
 use bxdf_lab::stability::{Extreme, Ranking};
 use bxdf_study::format;
+use bxdf_study::views::stability::Options;
 
 /// Rows of the list.
 const ROWS: usize = 12;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let selected = cx.session.materials.selected();
     let ranking = Ranking {
         material: selected.material.clone(),

@@ -9,10 +9,11 @@ use bxdf::Material;
 use bxdf_lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
 use bxdf_study::export::Format;
 use bxdf_study::format;
-use bxdf_study::session::ViewId;
+use bxdf_study::views::tradeoff::Options;
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
-    let tolerance = cx.session.views.tradeoff.tolerance;
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report) {
+    let tolerance = cx.options.tolerance;
+    let report = &*cx.options.wanted(report);
     let mut advice = advise(report, tolerance);
     // The answer for the material as a whole comes first.
     advice.sort_by_key(|one| one.family != WHOLE);
@@ -38,7 +39,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
 }
 
 /// One answer, with a button where the choice is a material.
-fn entry(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report, advice: &Advice) {
+fn entry(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report, advice: &Advice) {
     let title = if advice.family == WHOLE {
         "The material as a whole"
     } else {
@@ -72,11 +73,16 @@ fn entry(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report, advice: &Advice
 }
 
 /// The button that makes a choice a material of the list, or saves it once it is the selected one.
-fn use_or_save(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report, material: &Material) {
+fn use_or_save(
+    ui: &mut Ui,
+    cx: &mut ViewContext<'_, Options>,
+    report: &Report,
+    material: &Material,
+) {
     if cx.session.material().components() == material.components() {
         let hint = "Write the selected material into a file";
         if ui.small_button("Save it…").on_hover_text(hint).clicked() {
-            cx.state.wished_file = Some((ViewId::of(cx.view), Format::Toml));
+            cx.state.wished_file = Some((cx.view, Format::Toml));
         }
         return;
     }

@@ -8,6 +8,8 @@ use bxdf_lab::contract::Witness;
 use bxdf_lab::tradeoff::Point;
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{EntryId, MaterialEntry, Materials};
+use bxdf_study::views::hemisphere;
+use bxdf_study::views::tradeoff::Options;
 
 /// The choice last clicked at: its family and its place there.
 pub(super) type Chosen = Option<(&'static str, usize)>;
@@ -29,7 +31,7 @@ pub(super) fn entry_of(materials: &Materials, material: &Material) -> Option<Ent
 
 /// Makes `point` a material beside the one that was measured, in every view, with the difference between the two where it
 /// is largest.
-pub(super) fn choose(cx: &mut ViewContext<'_>, point: &Point, measured: &Material) {
+pub(super) fn choose(cx: &mut ViewContext<'_, Options>, point: &Point, measured: &Material) {
     let materials = &mut cx.session.materials;
     let original = entry_of(materials, measured);
     let mut shown = original.unwrap_or_else(|| materials.selected().id());
@@ -46,7 +48,8 @@ pub(super) fn choose(cx: &mut ViewContext<'_>, point: &Point, measured: &Materia
         }
         if let Some(original) = original {
             materials.compare_with(original);
-            cx.session.views.hemisphere.comparison = Comparison::Difference;
+            let views = &mut cx.session.views;
+            views.each(|map: &mut hemisphere::Options| map.comparison = Comparison::Difference);
         }
     }
     if let Some(worst) = point.worst {

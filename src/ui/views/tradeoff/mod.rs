@@ -14,10 +14,11 @@ use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
 use bxdf_lab::tradeoff::FAMILIES;
 use bxdf_study::measured::{Run, State};
-use bxdf_study::session::TOLERANCE;
+use bxdf_study::views::tradeoff::{Options, TOLERANCE, wanted};
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
-    let is_wanted = cx.session.views.tradeoff.is_immediate && !cx.data.tradeoff.is_of(cx.session);
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    let is_measured = || cx.data.tradeoff.is_of(cx.session, &wanted(cx.session));
+    let is_wanted = cx.options.is_immediate && !is_measured();
     if is_wanted && !ui.ctx().egui_is_using_pointer() {
         start(ui, cx);
     }
@@ -51,16 +52,16 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>) {
     }
 }
 
-fn start(ui: &Ui, cx: &mut ViewContext<'_>) {
+fn start(ui: &Ui, cx: &mut ViewContext<'_, Options>) {
     let wake = ui.ctx().clone();
     *cx.state.own::<Chosen>(cx.view) = None;
-    cx.data
-        .tradeoff
-        .start(cx.session, move || wake.request_repaint());
+    let (session, families) = (&*cx.session, wanted(cx.session));
+    let measured = &mut cx.data.tradeoff;
+    measured.start(session, families, move || wake.request_repaint());
 }
 
 /// The buttons, how far it is, and what is measured.
-fn controls(ui: &mut Ui, cx: &mut ViewContext<'_>, state: Option<&State>) {
+fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, state: Option<&State>) {
     let is_running = state.is_some_and(|state| !state.is_done);
     ui.horizontal_wrapped(|ui| {
         if is_running {
@@ -78,7 +79,7 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_>, state: Option<&State>) {
                 start(ui, cx);
             }
         }
-        let options = &mut cx.session.views.tradeoff;
+        let options = &mut *cx.options;
         let hint = "The largest relative error (root mean square) that is good enough; the line \
             in the plot can be dragged";
         ui.label("Tolerance").on_hover_text(hint);
@@ -115,9 +116,9 @@ fn progress(ui: &mut Ui, run: Option<&Run>) {
 }
 
 /// The families: each with its mark and whether it is wanted.
-fn families(ui: &mut Ui, cx: &mut ViewContext<'_>) {
+fn families(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let report = cx.data.tradeoff.report();
-    let left_out = &mut cx.session.views.tradeoff.left_out;
+    let options = &mut *cx.options;
     ui.horizontal_wrapped(|ui| {
         for (index, family) in FAMILIES.iter().enumerate() {
             let (color, _) = look(index, cx.palette);
@@ -139,7 +140,7 @@ fn families(ui: &mut Ui, cx: &mut ViewContext<'_>) {
             } else {
                 text
             };
-            let mut is_wanted = !left_out.iter().any(|id| id == family.id());
+            let mut is_wanted = options.wants(family.id());
             ui.horizontal(|ui| {
                 plot::sample(ui, index, cx.palette);
                 if ui
@@ -147,9 +148,9 @@ fn families(ui: &mut Ui, cx: &mut ViewContext<'_>) {
                     .on_hover_text(hint)
                     .changed()
                 {
-                    left_out.retain(|id| id != family.id());
+                    options.left_out.retain(|id| id != family.id());
                     if !is_wanted {
-                        left_out.push(family.id().to_owned());
+                        options.left_out.push(family.id().to_owned());
                     }
                 }
             });

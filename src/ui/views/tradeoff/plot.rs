@@ -11,7 +11,7 @@ use crate::widgets::chart::{Axis, Chart, Dots, Mark, Series};
 use crate::widgets::{draw, handle};
 use bxdf_lab::tradeoff::{FAMILIES, FamilyReport, Point, Report};
 use bxdf_study::format;
-use bxdf_study::session::TOLERANCE;
+use bxdf_study::views::tradeoff::{Options, TOLERANCE};
 
 /// Where an error of exactly 0 is drawn.
 const ZERO: f64 = 1e-16;
@@ -26,11 +26,11 @@ struct Drawn<'a> {
     points: Vec<(usize, &'a Point)>,
 }
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, report: &Report) {
-    let options = &cx.session.views.tradeoff;
+pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report) {
+    let options = &*cx.options;
     let (mut drawn, mut dots, mut series) = (Vec::new(), Vec::new(), Vec::new());
     for (index, spec) in FAMILIES.iter().enumerate() {
-        let is_wanted = !options.left_out.iter().any(|id| id == spec.id());
+        let is_wanted = options.wants(spec.id());
         let mut families = report.families.iter();
         let Some(family) = families.find(|family| is_wanted && family.id == spec.id()) else {
             continue;
@@ -160,11 +160,11 @@ fn axes(places: &[[f64; 2]], tolerance: f64) -> [Axis; 2] {
 /// The handle at the end of the line of the tolerance.
 fn drag_tolerance(
     ui: &Ui,
-    cx: &mut ViewContext<'_>,
+    cx: &mut ViewContext<'_, Options>,
     chart: &Chart,
     shown: &crate::widgets::chart::Shown,
 ) {
-    let tolerance = cx.session.views.tradeoff.tolerance;
+    let tolerance = cx.options.tolerance;
     let frame = shown.frame();
     let height = chart.position_of(shown, [1.0, tolerance]).y;
     let at = egui::pos2(frame.left() + theme::HANDLE_RADIUS, height);
@@ -176,7 +176,7 @@ fn drag_tolerance(
         // Two digits, as it is shown.
         let unit = 10_f64.powf(error.log10().floor() - 1.0);
         let rounded = (error / unit).round() * unit;
-        TOLERANCE.put(&mut cx.session.views.tradeoff.tolerance, rounded);
+        TOLERANCE.put(&mut cx.options.tolerance, rounded);
     }
 }
 

@@ -1,0 +1,40 @@
+//! What is done to one view.
+
+use super::App;
+use bxdf_study::session::ViewId;
+use bxdf_study::views::Options;
+
+impl App {
+    /// The view that commands are about: the one last clicked into, else the first.
+    #[must_use]
+    pub fn current_view(&self) -> ViewId {
+        let views = &self.session.views;
+        let clicked = self.clicked.filter(|view| views.get(*view).is_some());
+        clicked.unwrap_or_else(|| views.any())
+    }
+
+    /// Opens another view like this one, beside it.
+    pub fn duplicate_view(&mut self, view: ViewId) {
+        let opened = self.session.views.duplicate(view);
+        self.clicked = self.notice.report(opened).or(self.clicked);
+    }
+
+    /// Whether the view that commands are about shows a section.
+    #[must_use]
+    pub fn is_current_cut(&self) -> bool {
+        let mut options = self.session.views.get(self.current_view()).cloned();
+        let section = options.as_mut().and_then(Options::own_section);
+        section.is_some()
+    }
+
+    /// Gives a view a section of its own, or takes it away again.
+    pub fn switch_own_section(&mut self, view: ViewId) {
+        let mut options = self.session.views.get(view).cloned();
+        if let Some(section) = options.as_mut().and_then(Options::own_section) {
+            section.set(section.0.is_none(), &self.session);
+        }
+        if let (Some(options), Some(own)) = (options, self.session.views.get_mut(view)) {
+            *own = options;
+        }
+    }
+}
