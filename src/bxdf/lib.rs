@@ -55,6 +55,9 @@
 //! * **Reflectances** (unit 1): `rho_dh(wi)` = integral of f(wo, wi) |cos(theta_o)| over `wo`, the share of the flux
 //!   arriving along `wi` that leaves; at most 1 where energy is conserved.
 
+#[doc = include_str!("DECISIONS.md")]
+pub mod decisions {}
+
 pub mod batch;
 mod catalogue;
 mod delta_only;

@@ -1,5 +1,8 @@
 //! Instruments: what holds of a model, and how exactly.
 
+#[doc = include_str!("DECISIONS.md")]
+pub mod decisions {}
+
 pub mod analysis;
 pub mod contract;
 pub mod control;

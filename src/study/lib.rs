@@ -1,6 +1,9 @@
 //! The document a person works on, and the answers to it: the session with its history and files, the kinds of views, the
 //! jobs that answer what views ask. No window is known here.
 
+#[doc = include_str!("DECISIONS.md")]
+pub mod decisions {}
+
 pub mod colors;
 pub mod cursor;
 pub mod data;

@@ -1,5 +1,8 @@
 //! The window, and pictures of it. The only module that knows egui.
 
+#[doc = include_str!("DECISIONS.md")]
+pub mod decisions {}
+
 pub mod app;
 pub mod commands;
 #[cfg(not(target_arch = "wasm32"))]
