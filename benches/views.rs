@@ -8,7 +8,7 @@ use std::time::Instant;
 use brdf_explorer::analysis::hemisphere::{Comparison, Projection, Quantity};
 use brdf_explorer::analysis::sphere::Light;
 use brdf_explorer::analysis::{
-    Detail, HeldLobe, Hold, Question, Subject, hemisphere, slice, sphere,
+    Detail, HeldLobe, Hold, Question, Specimen, hemisphere, slice, sphere,
 };
 use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
@@ -30,9 +30,9 @@ fn measure<Q: Question>(
     for material in materials {
         let surface = material.build();
         let held = direction_from_degrees(50.0, 180.0);
-        let subject = Subject {
+        let subject = Specimen {
             relative_index: material.relative_index(),
-            ..Subject::of(HeldLobe::new(&*surface, Hold::Light, held))
+            ..Specimen::of(HeldLobe::new(&*surface, Hold::Light, held))
         };
         let time = || {
             let begin = Instant::now();

@@ -10,7 +10,7 @@ use brdf_explorer::bxdf::{
     Properties, Scatterer, Value, builders,
 };
 use brdf_explorer::lab::stability::map::Axis;
-use brdf_explorer::lab::stability::{Case, examine};
+use brdf_explorer::lab::stability::{ExtremeKind, examine};
 use brdf_explorer::study::session::Materials;
 
 const fn spread(name: &'static str, role: Role) -> ParamSpec {
@@ -58,7 +58,7 @@ fn build<R: Precision>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
 }
 
 /// Extremes looked at in a model, one in so many of its sets of parameters.
-fn extremes(model: &ModelSpec) -> BTreeSet<Case> {
+fn extremes(model: &ModelSpec) -> BTreeSet<ExtremeKind> {
     let all = examine(model, 1, 0);
     all.into_iter().map(|extreme| extreme.case).collect()
 }
@@ -67,11 +67,11 @@ fn extremes(model: &ModelSpec) -> BTreeSet<Case> {
 fn a_model_with_unusual_names_has_the_extremes_of_its_kind() {
     let found = extremes(&RIPPLED);
     for case in [
-        Case::Narrow,
-        Case::Anisotropic,
-        Case::IndexNearOne,
-        Case::LargeIndex,
-        Case::Core,
+        ExtremeKind::Narrow,
+        ExtremeKind::Anisotropic,
+        ExtremeKind::IndexNearOne,
+        ExtremeKind::LargeIndex,
+        ExtremeKind::Core,
     ] {
         assert!(found.contains(&case), "{case:?}");
     }

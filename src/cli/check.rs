@@ -28,7 +28,7 @@ pub(super) struct Arguments {
         long,
         value_name = "N",
         value_parser = args::count,
-        default_value_t = Extent::FULL.crowd,
+        default_value_t = Extent::FULL.random_points,
         conflicts_with = "material"
     )]
     points: u64,
@@ -102,7 +102,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<bool> {
 
 fn every_model(laws_too: bool, points: u64) -> Vec<Model> {
     let extent = Extent {
-        crowd: points,
+        random_points: points,
         ..Extent::FULL
     };
     let models = Catalogue::current().models();

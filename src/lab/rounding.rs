@@ -10,7 +10,7 @@
 use glam::DVec3;
 use xprec::Df64;
 
-use super::subject::{Neighbour, Subject};
+use super::specimen::{Neighbour, Specimen};
 use bxdf::Scatterer;
 use bxdf::math::{Real, Vec3};
 
@@ -130,7 +130,7 @@ pub fn condition_numbers(
 /// For [`condition_numbers`]: all of it.
 pub const WHOLE: [f64; 4] = [f64::INFINITY; 4];
 
-impl Subject {
+impl Specimen {
     /// The condition numbers of what it gives for a pair in a precision of `unit_roundoff`; see [`condition_numbers`].
     #[must_use]
     pub fn condition_numbers(&self, pair: (DVec3, DVec3), unit_roundoff: f64) -> [f64; 4] {
@@ -147,7 +147,7 @@ impl Subject {
 /// measured only where `deviation` needs it.
 #[must_use]
 pub fn rounding_bound(
-    subject: &Subject,
+    specimen: &Specimen,
     (wo, wi): (DVec3, DVec3),
     quantity: Quantity,
     deviation: f64,
@@ -157,7 +157,7 @@ pub fn rounding_bound(
     if deviation <= well_conditioned {
         well_conditioned
     } else {
-        let kappa = quantity.of(subject.condition_numbers((wo, wi), unit_roundoff));
+        let kappa = quantity.of(specimen.condition_numbers((wo, wi), unit_roundoff));
         stability_bound(kappa, unit_roundoff)
     }
 }
@@ -206,7 +206,7 @@ mod tests {
             if let Some(alpha) = alpha {
                 params.set_text("alpha", &alpha.to_string()).unwrap();
             }
-            Subject::new(model, &params).condition_numbers((wo, wi), f64::UNIT_ROUNDOFF)
+            Specimen::new(model, &params).condition_numbers((wo, wi), f64::UNIT_ROUNDOFF)
         };
         let paper = kappa("lambertian_reflection", None);
         // f is the reflectance over pi: it follows the one parameter, and no direction.

@@ -5,7 +5,7 @@ use brdf_explorer::bxdf::Catalogue;
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::{ModelSpec, Properties};
 use brdf_explorer::lab::stability::table::Row;
-use brdf_explorer::lab::stability::{Case, Extreme, examine, examine_material};
+use brdf_explorer::lab::stability::{Extreme, ExtremeKind, examine, examine_material};
 use rayon::prelude::*;
 
 use crate::faulty::*;
@@ -42,13 +42,13 @@ fn no_model_gives_out_at_the_extremes_and_the_table_holds() {
             for precision in ["f32", "f64"] {
                 let mut rows = rows.iter();
                 let row = rows.find(|row| row.model == model.id && row.precision == precision);
-                let found = extremes
-                    .iter()
-                    .filter(|extreme| extreme.precision == precision && extreme.case != Case::Core);
+                let found = extremes.iter().filter(|extreme| {
+                    extreme.precision == precision && extreme.case != ExtremeKind::Core
+                });
                 let of_values = found.filter(|extreme| {
                     !matches!(
                         extreme.case,
-                        Case::SamplerEnds | Case::Reciprocity | Case::Random
+                        ExtremeKind::SamplerEnds | ExtremeKind::Reciprocity | ExtremeKind::Random
                     )
                 });
                 let largest = of_values
@@ -99,11 +99,11 @@ fn every_extreme_is_reached() {
         STRIDE,
         RANDOM,
     );
-    for case in Case::ALL {
+    for case in ExtremeKind::ALL {
         let mut all = glass.iter().chain(&silver);
         let found = all.any(|extreme| extreme.case == case && extreme.n > 0);
         // One in so many sets of parameters need not meet each of their extremes; a crowd is asked for by itself.
-        let is_optional = case < Case::Ladder || case == Case::Crowd;
+        let is_optional = case < ExtremeKind::Ladder || case == ExtremeKind::Crowd;
         assert!(found || is_optional, "{}", case.id());
     }
     let mirror = examine_material(&"rough_conductor:alpha=.001".parse().unwrap());
@@ -121,7 +121,7 @@ fn sum(extremes: &[Extreme], of: fn(&Extreme) -> u64) -> u64 {
 }
 
 /// The largest ratio at an extreme in a precision.
-fn ratio(extremes: &[Extreme], case: Case, precision: &str) -> f64 {
+fn ratio(extremes: &[Extreme], case: ExtremeKind, precision: &str) -> f64 {
     let is_it = |extreme: &&Extreme| extreme.case == case && extreme.precision == precision;
     extremes
         .iter()
@@ -141,12 +141,12 @@ fn faults_are_seen_when_they_are_provoked() {
     );
     assert!(sum(&provoked::<LONG_SAMPLES>(), |extreme| extreme.misplaced) > 0);
     let single_off = provoked::<SINGLE_OFF>();
-    assert!(ratio(&single_off, Case::Ladder, "f32") > 10.0);
-    assert!(ratio(&single_off, Case::Ladder, "f64") < 1.0);
-    assert!(ratio(&provoked::<OTHER_WEIGHT>(), Case::SamplerEnds, "f64") > 1e3);
-    assert!(ratio(&provoked::<LOPSIDED>(), Case::Reciprocity, "f64") > 1e3);
+    assert!(ratio(&single_off, ExtremeKind::Ladder, "f32") > 10.0);
+    assert!(ratio(&single_off, ExtremeKind::Ladder, "f64") < 1.0);
+    assert!(ratio(&provoked::<OTHER_WEIGHT>(), ExtremeKind::SamplerEnds, "f64") > 1e3);
+    assert!(ratio(&provoked::<LOPSIDED>(), ExtremeKind::Reciprocity, "f64") > 1e3);
     let stepped = provoked::<STEPPED>();
-    assert!(ratio(&stepped, Case::Jumps, "reference") > 1e3);
+    assert!(ratio(&stepped, ExtremeKind::Jumps, "reference") > 1e3);
     // The same step in every precision is no error.
-    assert!(ratio(&stepped, Case::Ladder, "f64") < 1.0);
+    assert!(ratio(&stepped, ExtremeKind::Ladder, "f64") < 1.0);
 }

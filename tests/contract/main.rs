@@ -15,7 +15,7 @@ use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::{Component, Declaration, Law, Material, ModelSpec, Properties};
 use brdf_explorer::lab::contract::{
-    Effort, LawId, LawReport, Limit, Plan, Relation, Status, Subject, Tallies, check, check_at,
+    Effort, LawId, LawReport, Limit, Plan, Relation, Specimen, Status, Tallies, check, check_at,
     check_material, compare,
 };
 use faulty::*;
@@ -326,7 +326,7 @@ fn a_wrong_limit_is_caught() {
         };
         let [a, b] = [material, becomes].map(|text| {
             let material: Material = text.parse().unwrap();
-            Subject::of_material(&material)
+            Specimen::of_material(&material)
         });
         let mut tallies = Tallies::default();
         compare(&limit, &a, &b, &plan, &mut tallies);

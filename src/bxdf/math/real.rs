@@ -169,7 +169,7 @@ pub trait Real:
     #[must_use]
     fn hypot(self, other: Self) -> Self;
 
-    /// `self` to the power `exponent`.
+    /// `self`, above 0, to the power `exponent`.
     #[must_use]
     fn powf(self, exponent: Self) -> Self;
 

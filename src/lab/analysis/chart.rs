@@ -121,7 +121,7 @@ impl Meridians {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::quadrature::race;
+    use crate::analysis::quadrature::best_of;
     use bxdf::math::frame::direction_from_degrees;
 
     #[test]
@@ -144,7 +144,7 @@ mod tests {
                         let (directions, weights) = chart.places(points);
                         directions.into_iter().zip(weights).map(moments).collect()
                     };
-                    let found = race(&moments, &[], 1e-9, 1_000_000);
+                    let found = best_of(&moments, &[], 1e-9, 1_000_000);
                     let gaps = found.value.iter().zip(exact).map(|(a, b)| (a - b).abs());
                     let gap = gaps.fold(0.0, f64::max);
                     assert!(gap < 1e-8, "{theta} {side:?}: {found:?}");

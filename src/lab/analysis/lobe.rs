@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::chart::Chart;
-use super::quadrature::{Integral, Integrand, race};
+use super::quadrature::{Integral, Integrand, best_of};
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::{Lobe, Scatterer, Side};
 
@@ -216,7 +216,7 @@ impl<'a> HeldLobe<'a> {
                 .map(|chart| move |points: &[[f64; 2]]| self.charted(index, chart, points));
             let charted: Vec<_> = charted.collect();
             let rivals: Vec<Integrand<'_>> = charted.iter().map(|f| f as Integrand<'_>).collect();
-            race(&drawn, &rivals, tolerance, max_evaluations)
+            best_of(&drawn, &rivals, tolerance, max_evaluations)
         };
         self.lobes().iter().enumerate().map(integral).collect()
     }

@@ -3,7 +3,7 @@
 //! A lobe may be a needle over the sphere; over the square that its own sampling maps to directions
 //! ([`Lobes::sample_lobe`](bxdf::Lobes::sample_lobe)) f |cos(theta)| / pdf is bounded and smooth, however narrow and
 //! wherever the lobe, and nothing need be searched for. Where it breaks along a curve (the edge of what the horizon
-//! hides), another map may have the curve as a side of its own, see [`race`](race()).
+//! hides), another map may have the curve as a side of its own, see [`best_of`](best_of()).
 //!
 //! # Source
 //! The nested Clenshaw-Curtis rules of 8 and 16 intervals (`clenshaw1960`) as a product rule: they reach the rectangle's
@@ -15,9 +15,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use rule::{Cell, EVALUATIONS, Rectangle, Rule, add};
 
-pub use race::race;
+pub use best_of::best_of;
 
-mod race;
+mod best_of;
 mod rule;
 
 /// Relative error below which refinement cannot improve: rounding of the summands.

@@ -7,7 +7,7 @@ use super::energy::{self, QUICK_EVALUATIONS, QUICK_TOLERANCE};
 use super::law::{LawId, LawReport, Status};
 use super::pointwise;
 use crate::analysis::reflectance::directional_hemispherical_within;
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::{Component, Declaration, Law, Material};
 
 /// Weights of lobes that are added are whole multiples of one over this.
@@ -68,8 +68,8 @@ fn of_reciprocity(material: &Material, report: &LawReport) -> Option<Verdict> {
     let pair = (report.witness.wo?, report.witness.wi?);
     let mut causes = Causes::default();
     for component in material.components().iter().filter(|c| c.weight() > 0.0) {
-        let subject = Subject::new(component.model(), component.params());
-        let deviation = pointwise::reciprocity_broken(&subject, &[pair]);
+        let specimen = Specimen::new(component.model(), component.params());
+        let deviation = pointwise::reciprocity_broken(&specimen, &[pair]);
         if deviation > 0.0 {
             let what = format!("{} is not reciprocal", title(component));
             causes.add(component, Law::Reciprocity, deviation, &what);

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::DVec3;
 
 use super::order::{median, narrow_scale};
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::frame;
 use bxdf::{Category, Side};
 
@@ -43,7 +43,7 @@ impl Chart {
     /// The chart of the hemisphere with this sign of z in which the lobe at `wo`, which may point back, is smooth;
     /// `inside`: samples in it.
     pub(super) fn new(
-        subject: &Subject,
+        specimen: &Specimen,
         wo: DVec3,
         sign: f64,
         is_back: bool,
@@ -51,8 +51,8 @@ impl Chart {
     ) -> Self {
         let above = |w: DVec3| DVec3::new(w.x, w.y, w.z.abs());
         let is_near = wo.z * sign > 0.0;
-        let is_lobed = subject.has_side(Side::Reflection)
-            && (is_back || subject.has_category(Category::GlossySpecular));
+        let is_lobed = specimen.has_side(Side::Reflection)
+            && (is_back || specimen.has_category(Category::GlossySpecular));
         let shape = if is_near && is_lobed && !inside.is_empty() {
             let mut all: Vec<[f64; 2]> = inside
                 .iter()
@@ -60,8 +60,8 @@ impl Chart {
                 .collect();
             let scale = [true, false].map(|is_x| narrow_scale(&mut all, is_x).max(f64::EPSILON));
             Shape::Half { scale, is_back }
-        } else if !is_near && !inside.is_empty() && subject.has_transmitted_lobe() {
-            transmitted(subject, wo, inside)
+        } else if !is_near && !inside.is_empty() && specimen.has_transmitted_lobe() {
+            transmitted(specimen, wo, inside)
         } else {
             Shape::Polar {
                 scale: elevation(above(wo)).max(f64::EPSILON),
@@ -352,8 +352,8 @@ fn refracted(wo: DVec3, [x, y]: [f64; 2], e: f64) -> (DVec3, f64) {
 }
 
 /// The chart of a refracted lobe with these samples.
-fn transmitted(subject: &Subject, wo: DVec3, inside: &[DVec3]) -> Shape {
-    let e = subject.index_at(-wo) / subject.index_at(wo);
+fn transmitted(specimen: &Specimen, wo: DVec3, inside: &[DVec3]) -> Shape {
+    let e = specimen.index_at(-wo) / specimen.index_at(wo);
     let above = |w: &DVec3| DVec3::new(w.x, w.y, w.z.abs());
     let mut slopes: Vec<[f64; 2]> = inside
         .iter()

@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::law::LawId;
+use super::law_tally::Tallies;
 use super::sweep::directions;
-use super::tally::Tallies;
 use crate::analysis::statistics::Random;
 use crate::rounding::relative_difference;
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::Real;
 use bxdf::math::frame::direction_from_degrees;
 use bxdf::{Delta, Side};
@@ -19,28 +19,28 @@ const SAME: f64 = 16.0 * f64::UNIT_ROUNDOFF;
 const RANDOM_DIRECTIONS: usize = 32;
 
 /// The numbers of each delta agree with one another, and the light finds its way back.
-pub(super) fn deltas(subject: &Subject, tallies: &mut Tallies) {
+pub(super) fn deltas(specimen: &Specimen, tallies: &mut Tallies) {
     let mut random = Random::new(61);
     let mut all = directions();
     all.extend((0..RANDOM_DIRECTIONS).map(|_| random.direction()));
     // Just inside and outside the critical angle of glass, and within the narrow cone of the highest index.
     all.extend([180.0 - 41.8, 180.0 - 41.82, 179.96].map(|t| direction_from_degrees(t, 10.0)));
     for w in all {
-        let found = subject.double.deltas(w.into());
+        let found = specimen.double.deltas(w.into());
         let probability: f64 = found.iter().flatten().map(|delta| delta.probability).sum();
         tallies.record(LawId::Deltas, (probability - 1.0).max(0.0), SAME, || {
-            subject.witness(&[("wi", w)])
+            specimen.witness(&[("wi", w)])
         });
         for delta in found.into_iter().flatten() {
-            consistency(subject, w, &delta, tallies);
-            way_back(subject, w, &delta, tallies);
+            consistency(specimen, w, &delta, tallies);
+            way_back(specimen, w, &delta, tallies);
         }
     }
 }
 
-fn consistency(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Tallies) {
+fn consistency(specimen: &Specimen, w: DVec3, delta: &Delta<f64>, tallies: &mut Tallies) {
     let direction: DVec3 = delta.direction.into();
-    let witness = || subject.witness(&[("wi", w), ("wo", direction)]);
+    let witness = || specimen.witness(&[("wi", w), ("wo", direction)]);
     let length_error = (delta.direction.length_squared() - 1.0).abs();
     tallies.record(LawId::Deltas, length_error, SAME, witness);
     let side = if w.z * direction.z > 0.0 {
@@ -50,7 +50,7 @@ fn consistency(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Ta
     };
     tallies.require(
         LawId::Deltas,
-        side == delta.side && subject.has_side(side),
+        side == delta.side && specimen.has_side(side),
         witness,
     );
     tallies.require(
@@ -58,7 +58,7 @@ fn consistency(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Ta
         delta.probability > 0.0 && delta.probability <= 1.0,
         witness,
     );
-    let e = subject.index_at(direction) / subject.index_at(w);
+    let e = specimen.index_at(direction) / specimen.index_at(w);
     for (flux, weight) in delta.flux.0.into_iter().zip(delta.weight.0) {
         tallies.require(LawId::Deltas, (0.0..=1.0).contains(&flux), witness);
         tallies.record(
@@ -71,10 +71,10 @@ fn consistency(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Ta
 }
 
 /// The delta of the delta's direction on the same side leads back to `w`, with the same share of the flux.
-fn way_back(subject: &Subject, w: DVec3, delta: &Delta<f64>, tallies: &mut Tallies) {
+fn way_back(specimen: &Specimen, w: DVec3, delta: &Delta<f64>, tallies: &mut Tallies) {
     let direction: DVec3 = delta.direction.into();
-    let witness = || subject.witness(&[("wi", w), ("wo", direction)]);
-    let back = subject
+    let witness = || specimen.witness(&[("wi", w), ("wo", direction)]);
+    let back = specimen
         .double
         .deltas(delta.direction)
         .into_iter()

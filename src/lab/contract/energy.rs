@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::integrals::ESTIMATE;
 use super::law::LawId;
+use super::law_tally::Tallies;
 use super::sweep::directions;
-use super::tally::Tallies;
 use crate::analysis::reflectance::{directional_hemispherical, directional_hemispherical_within};
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::frame::direction_from_degrees;
 use bxdf::{Component, Declaration, ModelSpec};
 
@@ -52,34 +52,34 @@ pub(super) fn directions_of<'a>(components: impl Iterator<Item = &'a Component>)
 
 /// `rho_dh` <= 1, both sides and the deltas together, in every channel; `integral` is that of f |cos| and its error.
 pub(super) fn energy(
-    subject: &Subject,
+    specimen: &Specimen,
     wi: DVec3,
     (integral, error): ([f64; 3], f64),
     tallies: &mut Tallies,
 ) {
     let mut rho = integral;
-    for delta in subject.double.deltas(wi.into()).into_iter().flatten() {
+    for delta in specimen.double.deltas(wi.into()).into_iter().flatten() {
         rho.iter_mut()
             .zip(delta.flux.0)
             .for_each(|(sum, x)| *sum += x);
     }
-    record(subject, wi, rho, error.max(TOLERANCE), tallies);
+    record(specimen, wi, rho, error.max(TOLERANCE), tallies);
 }
 
 /// The same, integrated over the squares that the lobes are drawn from: fast, and trusting their maps.
-pub(super) fn energy_by_lobes(subject: &Subject, wi: DVec3, tallies: &mut Tallies) {
-    let bxdf = &*subject.double;
+pub(super) fn energy_by_lobes(specimen: &Specimen, wi: DVec3, tallies: &mut Tallies) {
+    let bxdf = &*specimen.double;
     let found = directional_hemispherical_within(bxdf, wi, QUICK_TOLERANCE, QUICK_EVALUATIONS);
     let error = ESTIMATE * found.error.max(QUICK_TOLERANCE);
-    record(subject, wi, found.leaving(), error, tallies);
+    record(specimen, wi, found.leaving(), error, tallies);
 }
 
-fn record(subject: &Subject, wi: DVec3, rho: [f64; 3], error: f64, tallies: &mut Tallies) {
+fn record(specimen: &Specimen, wi: DVec3, rho: [f64; 3], error: f64, tallies: &mut Tallies) {
     let excess = worst(rho) - 1.0;
     // A NaN stays one and breaks the law.
     let excess = if excess < 0.0 { 0.0 } else { excess };
     tallies.record(LawId::Energy, excess, error, || {
-        subject.witness(&[("wi", wi)])
+        specimen.witness(&[("wi", wi)])
     });
 }
 
@@ -91,11 +91,11 @@ pub(super) fn worst(rgb: [f64; 3]) -> f64 {
     )
 }
 
-/// The subject of a declaration's witness, or what is wrong with its parameters.
+/// The specimen of a declaration's witness, or what is wrong with its parameters.
 pub(super) fn declared_subject(
     model: &ModelSpec,
     declaration: &Declaration,
-) -> Result<Subject, String> {
+) -> Result<Specimen, String> {
     let mut params = model.defaults();
     for assignment in declaration
         .parameters
@@ -110,21 +110,21 @@ pub(super) fn declared_subject(
             .map_err(|error| format!("declaration: {error}"))?;
     }
     (model.validate)(&params).map_err(|error| format!("declaration: {error}"))?;
-    Ok(Subject::new(model, &params))
+    Ok(Specimen::new(model, &params))
 }
 
 /// By how much energy is created at a declared witness, or what is wrong with the witness.
 pub(super) fn declared_break(model: &ModelSpec, declaration: &Declaration) -> Result<f64, String> {
-    let subject = declared_subject(model, declaration)?;
+    let specimen = declared_subject(model, declaration)?;
     let wi = direction_from_degrees(declaration.theta_deg, 0.0);
-    let rho = directional_hemispherical(&*subject.double, wi, TOLERANCE);
+    let rho = directional_hemispherical(&*specimen.double, wi, TOLERANCE);
     let excess = worst(rho.leaving()) - 1.0;
     if excess > rho.error.max(TOLERANCE) {
         Ok(excess)
     } else {
         Err(format!(
             "{} keeps energy at the declared witness: rho_dh - 1 = {excess}",
-            subject.name
+            specimen.name
         ))
     }
 }

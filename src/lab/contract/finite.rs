@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::law::LawId;
+use super::law_tally::Tallies;
 use super::plan::Plan;
-use super::tally::Tallies;
 use crate::analysis::statistics::Random;
+use crate::specimen::{Specimen, Witness};
 use crate::stability::{is_good, is_good_number, is_unit};
-use crate::subject::{Subject, Witness};
 use bxdf::Scatterer;
 use bxdf::math::frame::cos_sin_deg;
 use bxdf::math::{Real, Vec3};
@@ -22,14 +22,14 @@ const COSINES: [f64; 10] = [
 const AZIMUTHS_DEG: [f64; 4] = [0.0, 180.0, 90.0, 33.0];
 
 /// Runs the law in f32, f64 and the reference precision.
-pub(super) fn finite(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
-    finite_in(subject, &*subject.single, plan, tallies);
-    finite_in(subject, &*subject.double, plan, tallies);
-    finite_in(subject, &*subject.reference, plan, tallies);
+pub(super) fn finite(specimen: &Specimen, plan: &Plan, tallies: &mut Tallies) {
+    finite_in(specimen, &*specimen.single, plan, tallies);
+    finite_in(specimen, &*specimen.double, plan, tallies);
+    finite_in(specimen, &*specimen.reference, plan, tallies);
 }
 
 fn finite_in<R: Real>(
-    subject: &Subject,
+    specimen: &Specimen,
     bxdf: &dyn Scatterer<R>,
     plan: &Plan,
     tallies: &mut Tallies,
@@ -54,13 +54,13 @@ fn finite_in<R: Real>(
     for (wo, wi) in pairs {
         let holds = is_good(bxdf.f(wo, wi)) && is_good_number(bxdf.pdf(wo, wi));
         tallies.require(LawId::Finite, holds, || Witness {
-            text: format!("{} in {}: wo {wo:?} wi {wi:?}", subject.name, R::NAME),
+            text: format!("{} in {}: wo {wo:?} wi {wi:?}", specimen.name, R::NAME),
             wo: Some(in_double(wo)),
             wi: Some(in_double(wi)),
         });
     }
     for wo in given {
-        samples_are_finite(subject, bxdf, wo, tallies);
+        samples_are_finite(specimen, bxdf, wo, tallies);
     }
 }
 
@@ -77,7 +77,7 @@ fn in_double<R: Real>(w: Vec3<R>) -> DVec3 {
 }
 
 fn samples_are_finite<R: Real>(
-    subject: &Subject,
+    specimen: &Specimen,
     bxdf: &dyn Scatterer<R>,
     wo: Vec3<R>,
     tallies: &mut Tallies,
@@ -97,7 +97,7 @@ fn samples_are_finite<R: Real>(
                 tallies.require(LawId::Finite, holds, || {
                     let text = format!(
                         "{} in {}: sample of wo {wo:?} at uc {uc:?}, u {u:?} {v:?}: {sample:?}",
-                        subject.name,
+                        specimen.name,
                         R::NAME
                     );
                     Witness {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::cells::{Hemisphere, Partition, Rectangle};
+use super::partition::{Hemisphere, Partition, Rectangle};
 use bxdf::internals::gauss_legendre;
 
 /// Gauss-Legendre nodes along each axis of a cell.
@@ -160,7 +160,7 @@ impl<F: Fn(DVec3) -> Channels> Integrand<'_, F> {
 
     fn product_rule(&self, cell: Rectangle) -> Channels {
         let Hemisphere { chart, family, .. } = self.hemisphere;
-        let Partition { subject, wo, .. } = self.partition;
+        let Partition { specimen, wo, .. } = self.partition;
         let mut sum = [0.0; CHANNELS];
         let [y_middle, y_half] = middle_and_half(cell.y);
         let places = cell.x.map(|x| chart.place(x));
@@ -170,7 +170,7 @@ impl<F: Fn(DVec3) -> Channels> Integrand<'_, F> {
             if x_half > 0.0 {
                 for (node_x, weight_x) in self.rule {
                     let (wi, density) = row.direction(x_middle + x_half * node_x);
-                    let share = family.share(subject, *wo, wi);
+                    let share = family.share(specimen, *wo, wi);
                     let weight = weight_x * weight_y * x_half * y_half * (share * density);
                     sum = add(sum, (self.f)(wi).map(|x| x * weight));
                 }
@@ -193,26 +193,26 @@ fn middle_and_half([a, b]: [f64; 2]) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::analysis::statistics::Random;
-    use crate::subject::Subject;
+    use crate::specimen::Specimen;
     use bxdf::Material;
     use bxdf::math::frame::direction_from_degrees;
 
     /// The integral of a material's density at 85 degrees.
     fn density_integral(material: &str) -> CellIntegral {
         let material: Material = material.parse().unwrap();
-        let subject = Subject::of_material(&material);
+        let specimen = Specimen::of_material(&material);
         let wo = direction_from_degrees(85.0, -75.0);
         let mut random = Random::new(7);
         let pilots: Vec<DVec3> = (0..2048)
             .filter_map(|_| {
-                let sample = subject
+                let sample = specimen
                     .double
                     .sample_f(wo.into(), random.unit(), random.pair());
                 Some(sample?.wi.into())
             })
             .collect();
-        let partition = Partition::new(&subject, wo, &pilots, &mut random);
-        let density = |wi: DVec3| [subject.double.pdf(wo.into(), wi.into()); CHANNELS];
+        let partition = Partition::new(&specimen, wo, &pilots, &mut random);
+        let density = |wi: DVec3| [specimen.double.pdf(wo.into(), wi.into()); CHANNELS];
         CellIntegral::sum(&partition.integrate(density, 1e-6))
     }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::subject::Witness;
+use crate::specimen::Witness;
 use bxdf::math::frame;
 use bxdf::{Declaration, Law, ModelSpec};
 

@@ -3,14 +3,14 @@
 use glam::DVec3;
 
 use super::law::LawId;
+use super::law_tally::Tallies;
 use super::plan::Plan;
 use super::pointwise::pairs;
 use super::sweep::directions;
-use super::tally::Tallies;
 use crate::analysis::reflectance::directional_hemispherical;
 use crate::analysis::statistics::Random;
 use crate::rounding::relative_difference;
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::{Vec3, frame};
 use bxdf::{Material, ModelSpec, Side};
 
@@ -232,8 +232,8 @@ pub(super) fn limits(model: &ModelSpec, plan: &Plan, tallies: &mut Tallies) {
             limit.becomes.parse::<Material>(),
         ) {
             (Ok(a), Ok(b)) => {
-                let subjects = [a, b].map(|m| Subject::of_material(&m));
-                let [a, b] = &subjects;
+                let specimens = [a, b].map(|m| Specimen::of_material(&m));
+                let [a, b] = &specimens;
                 compare(limit, a, b, plan, tallies);
             }
             (Err(error), _) | (_, Err(error)) => {
@@ -243,8 +243,8 @@ pub(super) fn limits(model: &ModelSpec, plan: &Plan, tallies: &mut Tallies) {
     }
 }
 
-/// Checks one limit between two subjects.
-pub fn compare(limit: &Limit, a: &Subject, b: &Subject, plan: &Plan, tallies: &mut Tallies) {
+/// Checks one limit between two specimens.
+pub fn compare(limit: &Limit, a: &Specimen, b: &Specimen, plan: &Plan, tallies: &mut Tallies) {
     match limit.relation {
         Relation::Same => {
             same_values(limit, a, b, plan, tallies, |w| w, |w| w);
@@ -273,8 +273,8 @@ pub fn compare(limit: &Limit, a: &Subject, b: &Subject, plan: &Plan, tallies: &m
 /// The same values of `f` and `pdf` where the directions of the second model are warped.
 fn same_values(
     limit: &Limit,
-    a: &Subject,
-    b: &Subject,
+    a: &Specimen,
+    b: &Specimen,
     plan: &Plan,
     tallies: &mut Tallies,
     warp_wo: impl Fn(Vec3<f64>) -> Vec3<f64>,
@@ -303,7 +303,7 @@ fn same_values(
 }
 
 /// The deltas of `b` are those of `a`, in direction and (unless only the direction is asked for) in flux.
-fn same_deltas(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
+fn same_deltas(limit: &Limit, a: &Specimen, b: &Specimen, tallies: &mut Tallies) {
     // A reflection-only model takes a direction below for its mirror image: its index does not change sides.
     let is_shared = |w: &DVec3| limit.relation == Relation::Same || w.z > 0.0;
     for w in directions().into_iter().filter(is_shared) {
@@ -336,7 +336,7 @@ fn same_deltas(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
 }
 
 /// The lobe of `a` sends into the cone about each delta of `b` the delta's share, and its reflectance is the delta's.
-fn narrow_lobe(limit: &Limit, a: &Subject, b: &Subject, tallies: &mut Tallies) {
+fn narrow_lobe(limit: &Limit, a: &Specimen, b: &Specimen, tallies: &mut Tallies) {
     /// Samples per direction: at a tail of 6e-4 the mean is off by 1.5e-4 (one standard error) in 2^15.
     const SAMPLES: u32 = 1 << 15;
     let mut random = Random::new(92);

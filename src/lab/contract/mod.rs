@@ -10,18 +10,19 @@
 //! of the samples alone passes a density wrong by .2 % and sees neither the value nor the frame: the other laws do.
 
 mod cause;
-mod cells;
 mod chart;
 mod declared;
 mod deltas;
 mod energy;
-mod families;
 mod finite;
 mod integrals;
 mod law;
+mod law_tally;
 mod limits;
 mod lobes;
+mod needle_partition;
 mod order;
+mod partition;
 mod physics;
 mod plan;
 mod pointwise;
@@ -29,19 +30,18 @@ mod precision;
 mod sampling;
 mod statistics;
 pub(super) mod sweep;
-mod tally;
 
 use rayon::prelude::*;
 
 pub use cause::weight_that_keeps_energy;
 pub use law::{LawId, LawReport, Status};
+pub use law_tally::Tallies;
 pub use limits::{CONE, LIMITS, Limit, Relation, compare};
 pub use physics::{PHYSICAL, check_energy, check_physical};
 pub use plan::{Effort, Plan};
 pub use sweep::{directions, parameter_sets};
-pub use tally::Tallies;
 
-pub use super::subject::{Subject, Witness};
+pub use super::specimen::{Specimen, Witness};
 
 use bxdf::param::ParamSet;
 use bxdf::{Material, ModelSpec};
@@ -72,11 +72,11 @@ pub fn check_material(material: &Material, effort: Effort) -> Vec<LawReport> {
         effort,
         tests: directions().len(),
     };
-    let subject = Subject::at(material);
+    let specimen = Specimen::at(material);
     let mut tallies = Tallies::default();
-    laws(&subject, &plan, &mut tallies);
+    laws(&specimen, &plan, &mut tallies);
     for wi in energy::directions_between(material.components().iter()) {
-        energy::energy_by_lobes(&subject, wi, &mut tallies);
+        energy::energy_by_lobes(&specimen, wi, &mut tallies);
     }
     tallies
         .into_reports()
@@ -93,7 +93,7 @@ pub fn check_at(model: &ModelSpec, sets: &[ParamSet], effort: Effort) -> Vec<Law
     };
     let mut tallies = Tallies::default();
     for params in sets {
-        laws(&Subject::new(model, params), &plan, &mut tallies);
+        laws(&Specimen::new(model, params), &plan, &mut tallies);
     }
     limits::limits(model, &plan, &mut tallies);
     tallies
@@ -102,14 +102,14 @@ pub fn check_at(model: &ModelSpec, sets: &[ParamSet], effort: Effort) -> Vec<Law
         .collect()
 }
 
-/// Runs the laws of one subject and adds to `tallies`.
-pub fn laws(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
-    sampling::sampling(subject, plan, tallies);
-    pointwise::support(subject, plan, tallies);
-    lobes::values(subject, plan, tallies);
-    pointwise::reciprocity(subject, plan, tallies);
-    pointwise::isotropy(subject, plan, tallies);
-    deltas::deltas(subject, tallies);
-    finite::finite(subject, plan, tallies);
-    precision::precision(subject, plan, tallies);
+/// Runs the laws of one specimen and adds to `tallies`.
+pub fn laws(specimen: &Specimen, plan: &Plan, tallies: &mut Tallies) {
+    sampling::sampling(specimen, plan, tallies);
+    pointwise::support(specimen, plan, tallies);
+    lobes::values(specimen, plan, tallies);
+    pointwise::reciprocity(specimen, plan, tallies);
+    pointwise::isotropy(specimen, plan, tallies);
+    deltas::deltas(specimen, tallies);
+    finite::finite(specimen, plan, tallies);
+    precision::precision(specimen, plan, tallies);
 }

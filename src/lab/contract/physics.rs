@@ -1,11 +1,11 @@
 //! The laws that a person asks about first, checked while they wait: of one material, at a fraction of the work.
 
 use super::law::{LawId, LawReport, Status};
+use super::law_tally::Tallies;
 use super::plan::{Effort, Plan};
-use super::tally::Tallies;
 use super::{cause, deltas, energy, finite, pointwise};
 use crate::analysis::isotropy;
-use crate::subject::{Subject, Witness};
+use crate::specimen::{Specimen, Witness};
 use bxdf::Material;
 
 /// The laws of [`check_physical`], in the order of its reports.
@@ -24,28 +24,28 @@ pub const PHYSICAL: [LawId; 4] = [
 /// while `worst` does not exceed `error`. What breaks is judged as there.
 #[must_use]
 pub fn check_physical(material: &Material, is_wanted: &dyn Fn() -> bool) -> Option<Vec<LawReport>> {
-    let subject = Subject::at(material);
+    let specimen = Specimen::at(material);
     let plan = Plan {
         effort: Effort::Quick,
         tests: 0,
     };
     let mut tallies = Tallies::default();
-    pointwise::reciprocity(&subject, &plan, &mut tallies);
-    deltas::deltas(&subject, &mut tallies);
+    pointwise::reciprocity(&specimen, &plan, &mut tallies);
+    deltas::deltas(&specimen, &mut tallies);
     if !is_wanted() {
         return None;
     }
     for wi in energy::directions_of(material.components().iter()) {
-        energy::energy_by_lobes(&subject, wi, &mut tallies);
+        energy::energy_by_lobes(&specimen, wi, &mut tallies);
         if !is_wanted() {
             return None;
         }
     }
-    finite::finite(&subject, &plan, &mut tallies);
+    finite::finite(&specimen, &plan, &mut tallies);
     if !is_wanted() {
         return None;
     }
-    let measured = isotropy_of(&subject);
+    let measured = isotropy_of(&specimen);
     let mut reports = Vec::new();
     for report in tallies.into_reports() {
         if report.law == LawId::Isotropy {
@@ -63,10 +63,10 @@ pub fn check_physical(material: &Material, is_wanted: &dyn Fn() -> bool) -> Opti
 /// The law of energy of [`check_physical`] alone: milliseconds. There is a report of every law: it is never `None`.
 #[must_use]
 pub fn check_energy(material: &Material) -> Option<LawReport> {
-    let subject = Subject::at(material);
+    let specimen = Specimen::at(material);
     let mut tallies = Tallies::default();
     for wi in energy::directions_of(material.components().iter()) {
-        energy::energy_by_lobes(&subject, wi, &mut tallies);
+        energy::energy_by_lobes(&specimen, wi, &mut tallies);
     }
     let mut reports = tallies.into_reports();
     let found = reports.find(|report| report.law == LawId::Energy)?;
@@ -74,10 +74,10 @@ pub fn check_energy(material: &Material) -> Option<LawReport> {
 }
 
 /// Whether the lobe turns with the surface, as measured.
-fn isotropy_of(subject: &Subject) -> LawReport {
-    let change = isotropy::largest_change(&*subject.double);
+fn isotropy_of(specimen: &Specimen) -> LawReport {
+    let change = isotropy::largest_change(&*specimen.double);
     let is_measured = change.deviation <= isotropy::MAX_DEVIATION;
-    let status = if subject.is_isotropic && !is_measured {
+    let status = if specimen.is_isotropic && !is_measured {
         Status::Violated
     } else {
         Status::Ok
@@ -96,7 +96,7 @@ fn isotropy_of(subject: &Subject) -> LawReport {
         witness: if found.is_empty() {
             Witness::default()
         } else {
-            subject.witness(&found)
+            specimen.witness(&found)
         },
         reason: String::new(),
     }

@@ -4,26 +4,26 @@ use glam::DVec3;
 use xprec::Df64;
 
 use super::law::LawId;
+use super::law_tally::Tallies;
 use super::plan::Plan;
 use super::pointwise::pairs;
-use super::tally::Tallies;
 use crate::rounding::{Quantity, is_subnormal, quantities, relative_difference, rounding_bound};
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::Scatterer;
 use bxdf::math::{Real, Vec3};
 
 /// Both precisions keep the stability law, at grazing directions too.
-pub(super) fn precision(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
-    for (wo, wi) in pairs(subject, plan, 81) {
-        let models = (&*subject.single, &*subject.reference_of_single);
-        compare::<f32>(subject, models, (wo, wi), tallies);
-        let models = (&*subject.double, &*subject.reference);
-        compare::<f64>(subject, models, (wo, wi), tallies);
+pub(super) fn precision(specimen: &Specimen, plan: &Plan, tallies: &mut Tallies) {
+    for (wo, wi) in pairs(specimen, plan, 81) {
+        let models = (&*specimen.single, &*specimen.reference_of_single);
+        compare::<f32>(specimen, models, (wo, wi), tallies);
+        let models = (&*specimen.double, &*specimen.reference);
+        compare::<f64>(specimen, models, (wo, wi), tallies);
     }
 }
 
 fn compare<R: Real>(
-    subject: &Subject,
+    specimen: &Specimen,
     (tested, reference): (&dyn Scatterer<R>, &dyn Scatterer<Df64>),
     (wo, wi): (DVec3, DVec3),
     tallies: &mut Tallies,
@@ -41,9 +41,9 @@ fn compare<R: Real>(
         }
         let deviation = relative_difference(quantity.of(found).as_f64(), truth);
         let at = (wo_rounded, wi_rounded);
-        let error = rounding_bound(subject, at, quantity, deviation, R::UNIT_ROUNDOFF);
+        let error = rounding_bound(specimen, at, quantity, deviation, R::UNIT_ROUNDOFF);
         tallies.record(LawId::Precision, deviation, error, || {
-            let at = subject.witness(&[("wo", wo_rounded), ("wi", wi_rounded)]);
+            let at = specimen.witness(&[("wo", wo_rounded), ("wi", wi_rounded)]);
             format!("{at} in {}, {quantity:?}", R::NAME)
         });
     }

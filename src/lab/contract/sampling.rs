@@ -2,17 +2,17 @@
 
 use glam::DVec3;
 
-use super::cells::Partition;
 use super::integrals::{CellIntegral, Channels, ESTIMATE};
 use super::law::LawId;
+use super::law_tally::Tallies;
+use super::partition::Partition;
 use super::plan::Plan;
 use super::statistics::sidak;
 use super::sweep::directions;
-use super::tally::Tallies;
 use super::{energy, lobes};
 use crate::analysis::statistics::{Random, chi_square};
 use crate::rounding::{UNIT_LENGTH_ROUNDOFFS, relative_difference};
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::{Real, Vec3};
 use bxdf::optics::Spectrum;
 use bxdf::{Deltas, Sample};
@@ -36,15 +36,15 @@ const UNSEEN: f64 = 6.0;
 const SAME: f64 = 1e-9;
 
 /// The laws of the samples at every given direction, and energy, whose integrals come with theirs.
-pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
+pub(super) fn sampling(specimen: &Specimen, plan: &Plan, tallies: &mut Tallies) {
     for (index, wo) in directions().into_iter().enumerate() {
         // Seeds of their own, so that the tests of a run are independent, as Sidak's correction takes them to be.
-        let mut random = Random::new(subject.seed() ^ index as u64);
-        let pilots = pilot_samples(subject, wo, &mut random, tallies);
-        let partition = Partition::new(subject, wo, &pilots, &mut random);
-        let integrals = partition.integrate(|wi| integrands(subject, wo, wi), CELL_TOLERANCE);
+        let mut random = Random::new(specimen.seed() ^ index as u64);
+        let pilots = pilot_samples(specimen, wo, &mut random, tallies);
+        let partition = Partition::new(specimen, wo, &pilots, &mut random);
+        let integrals = partition.integrate(|wi| integrands(specimen, wo, wi), CELL_TOLERANCE);
         goodness_of_fit(
-            subject,
+            specimen,
             wo,
             plan,
             &partition,
@@ -53,20 +53,20 @@ pub(super) fn sampling(subject: &Subject, plan: &Plan, tallies: &mut Tallies) {
             tallies,
         );
         let total = CellIntegral::sum(&integrals);
-        means(subject, wo, plan, &total, &mut random, tallies);
+        means(specimen, wo, plan, &total, &mut random, tallies);
         let [_, _, _, _, back @ ..] = total.value;
-        lobes::integrals(subject, wo, (back, total.error), tallies);
-        energy::energy(subject, wo, (back, total.error), tallies);
+        lobes::integrals(specimen, wo, (back, total.error), tallies);
+        energy::energy(specimen, wo, (back, total.error), tallies);
     }
 }
 
 /// What is integrated over the directions `wi`: the density at `wo`, and f |cos| of each channel towards `wo` and back.
-fn integrands(subject: &Subject, wo: DVec3, wi: DVec3) -> Channels {
+fn integrands(specimen: &Specimen, wo: DVec3, wi: DVec3) -> Channels {
     let (o, i): (Vec3<f64>, Vec3<f64>) = (wo.into(), wi.into());
-    let (Spectrum([r, g, b]), pdf) = subject.double.f_pdf(o, i);
-    let [r_back, g_back, b_back] = subject.double.f(i, o).0;
+    let (Spectrum([r, g, b]), pdf) = specimen.double.f_pdf(o, i);
+    let [r_back, g_back, b_back] = specimen.double.f(i, o).0;
     let back_cos = wi.z.abs();
-    let cos = back_cos * subject.flux_factor(wo, wi);
+    let cos = back_cos * specimen.flux_factor(wo, wi);
     [
         pdf,
         r * cos,
@@ -78,25 +78,25 @@ fn integrands(subject: &Subject, wo: DVec3, wi: DVec3) -> Channels {
     ]
 }
 
-fn draw(subject: &Subject, wo: DVec3, random: &mut Random) -> Option<Sample<f64>> {
+fn draw(specimen: &Specimen, wo: DVec3, random: &mut Random) -> Option<Sample<f64>> {
     let (uc, u) = (random.unit(), random.pair());
-    subject.double.sample_f(wo.into(), uc, u)
+    specimen.double.sample_f(wo.into(), uc, u)
 }
 
 /// Draws samples, checks each by itself, and returns the directions of those that are no deltas.
 fn pilot_samples(
-    subject: &Subject,
+    specimen: &Specimen,
     wo: DVec3,
     random: &mut Random,
     tallies: &mut Tallies,
 ) -> Vec<DVec3> {
-    let deltas = subject.double.deltas(wo.into());
+    let deltas = specimen.double.deltas(wo.into());
     let mut directions = Vec::new();
     for _ in 0..PILOTS {
-        let Some(sample) = draw(subject, wo, random) else {
+        let Some(sample) = draw(specimen, wo, random) else {
             continue;
         };
-        check_sample(subject, wo, &sample, &deltas, tallies);
+        check_sample(specimen, wo, &sample, &deltas, tallies);
         if !sample.is_delta {
             directions.push(sample.wi.into());
         }
@@ -105,14 +105,14 @@ fn pilot_samples(
 }
 
 fn check_sample(
-    subject: &Subject,
+    specimen: &Specimen,
     wo: DVec3,
     sample: &Sample<f64>,
     deltas: &Deltas<f64>,
     tallies: &mut Tallies,
 ) {
     let wi: DVec3 = sample.wi.into();
-    let witness = || subject.witness(&[("wo", wo), ("sampled wi", wi)]);
+    let witness = || specimen.witness(&[("wo", wo), ("sampled wi", wi)]);
     let length_error = (sample.wi.length_squared() - 1.0).abs();
     let unit_length = UNIT_LENGTH_ROUNDOFFS * f64::UNIT_ROUNDOFF;
     tallies.record(LawId::Weight, length_error, unit_length, witness);
@@ -130,8 +130,8 @@ fn check_sample(
     } else {
         let wo = wo.into();
         (
-            subject.double.f(wo, sample.wi),
-            subject.double.pdf(wo, sample.wi),
+            specimen.double.f(wo, sample.wi),
+            specimen.double.pdf(wo, sample.wi),
         )
     };
     let pdf_error = relative_difference(sample.pdf, pdf);
@@ -151,7 +151,7 @@ fn check_sample(
 
 /// Chi-square test of the samples against the integrals of `pdf`, with one bin per cell, per delta, and for no sample.
 fn goodness_of_fit(
-    subject: &Subject,
+    specimen: &Specimen,
     wo: DVec3,
     plan: &Plan,
     partition: &Partition<'_>,
@@ -160,7 +160,7 @@ fn goodness_of_fit(
     tallies: &mut Tallies,
 ) {
     let n = plan.effort.samples();
-    let deltas: Vec<(Vec3<f64>, f64)> = subject
+    let deltas: Vec<(Vec3<f64>, f64)> = specimen
         .double
         .deltas(wo.into())
         .into_iter()
@@ -175,7 +175,7 @@ fn goodness_of_fit(
     let sum: f64 = bins.iter().map(|(_, expected)| expected).sum();
     let mut lost = (0.0, (f64::from(n) - sum).max(0.0));
     for _ in 0..n {
-        let bin = draw(subject, wo, random).and_then(|sample| {
+        let bin = draw(specimen, wo, random).and_then(|sample| {
             let index = if sample.is_delta {
                 integrals.len() + deltas.iter().position(|(w, _)| *w == sample.wi)?
             } else {
@@ -189,7 +189,7 @@ fn goodness_of_fit(
     if let Some(test) = chi_square(&bins) {
         // A p-value of 0 has no logarithm; beyond 300 digits nothing is told apart.
         let digits = |p: f64| -p.max(1e-300).log10();
-        let witness = || subject.witness(&[("wo", wo)]);
+        let witness = || specimen.witness(&[("wo", wo)]);
         tallies.record(
             LawId::Sampling,
             digits(test.p_value),
@@ -208,17 +208,17 @@ fn pdf_of(integral: &CellIntegral) -> f64 {
 /// Compares the rate of samples and their mean weight with the integrals; weights as flux: the radiance seen from a dense
 /// medium would make one sample in millions count for a million.
 fn means(
-    subject: &Subject,
+    specimen: &Specimen,
     wo: DVec3,
     plan: &Plan,
     total: &CellIntegral,
     random: &mut Random,
     tallies: &mut Tallies,
 ) {
-    let found = Stratified::new(subject, wo, plan.effort.strata(), random);
+    let found = Stratified::new(specimen, wo, plan.effort.strata(), random);
     let [pdf, r, g, b, ..] = total.value;
     let mut expected = [pdf, r, g, b];
-    for delta in subject.double.deltas(wo.into()).into_iter().flatten() {
+    for delta in specimen.double.deltas(wo.into()).into_iter().flatten() {
         let [r, g, b] = delta.flux.0;
         expected
             .iter_mut()
@@ -246,7 +246,7 @@ fn means(
         let witness = || {
             format!(
                 "{}: mean {mean}, integral {expected}",
-                subject.witness(&[("wo", wo)])
+                specimen.witness(&[("wo", wo)])
             )
         };
         tallies.record(law, (mean - expected).abs(), error, witness);
@@ -263,7 +263,7 @@ struct Stratified {
 }
 
 impl Stratified {
-    fn new(subject: &Subject, wo: DVec3, strata: u32, random: &mut Random) -> Self {
+    fn new(specimen: &Specimen, wo: DVec3, strata: u32, random: &mut Random) -> Self {
         let mut sums = Self {
             mean: [0.0; 4],
             variance: [0.0; 4],
@@ -276,9 +276,9 @@ impl Stratified {
                     let uc = random.unit();
                     let [u, v] = random.pair();
                     let u = [f64::from(i) + u, f64::from(j) + v].map(|x| x / f64::from(strata));
-                    let sample = subject.double.sample_f(wo.into(), uc, u);
+                    let sample = specimen.double.sample_f(wo.into(), uc, u);
                     sample.map_or([0.0; 4], |sample| {
-                        let flux = subject.flux_factor(wo, sample.wi.into());
+                        let flux = specimen.flux_factor(wo, sample.wi.into());
                         let [r, g, b] = sample.weight().0.map(|weight| weight * flux);
                         [f64::from(u8::from(!sample.is_delta)), r, g, b]
                     })

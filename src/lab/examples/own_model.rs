@@ -49,7 +49,8 @@ impl<R: Real> Bxdf<R> for Minnaert<R> {
         let Some((wo, wi)) = both_above(wo, wi) else {
             return Spectrum::black();
         };
-        self.scale * (wo.z * wi.z).powf(self.exponent)
+        // Each by itself: the product of two grazing cosines would underflow, as the law of non-negativity told.
+        self.scale * (wo.z.powf(self.exponent) * wi.z.powf(self.exponent))
     }
 
     fn pdf(&self, wo: Vec3<R>, wi: Vec3<R>) -> R {

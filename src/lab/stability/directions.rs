@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::Case;
+use super::ExtremeKind;
 use crate::analysis::statistics::Random;
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::frame::{cos_sin_deg, direction_from_degrees};
 
 /// Distances from the horizon, in degrees.
@@ -35,7 +35,7 @@ const DRAWN: usize = 12;
 pub(super) type Pair = (DVec3, DVec3);
 
 /// Pairs at the extremes of directions, the same for every model; those of [`about`] come on top.
-pub(super) fn pairs() -> Vec<(Case, Pair)> {
+pub(super) fn pairs() -> Vec<(ExtremeKind, Pair)> {
     let mut all = Vec::new();
     let grazing = || FROM_HORIZON_DEG.map(|degrees| 90.0 - degrees);
     let ladder: Vec<f64> = NORMAL_DEG
@@ -55,7 +55,10 @@ pub(super) fn pairs() -> Vec<(Case, Pair)> {
             {
                 let on_side = |w: DVec3, sign: f64| DVec3::new(w.x, w.y, w.z * sign);
                 let (wo, wi) = (at(*theta_o, 0.0), at(*theta_i, difference));
-                all.push((Case::Ladder, (on_side(wo, sign_o), on_side(wi, sign_i))));
+                all.push((
+                    ExtremeKind::Ladder,
+                    (on_side(wo, sign_o), on_side(wi, sign_i)),
+                ));
             }
         }
     }
@@ -63,22 +66,24 @@ pub(super) fn pairs() -> Vec<(Case, Pair)> {
         let wo = at(*theta, 0.0);
         let mirrored = DVec3::new(-wo.x, -wo.y, wo.z);
         for (case, notable) in [
-            (Case::Retro, wo),
-            (Case::Opposed, -wo),
-            (Case::Mirror, mirrored),
+            (ExtremeKind::Retro, wo),
+            (ExtremeKind::Opposed, -wo),
+            (ExtremeKind::Mirror, mirrored),
         ] {
             all.extend(near(notable).map(|wi| (case, (wo, wi))));
         }
         for difference in AZIMUTHS_DEG {
             let level = level(difference);
-            all.push((Case::Horizon, (wo, level)));
-            all.push((Case::Horizon, (level, wo)));
-            all.push((Case::Horizon, (level, -wo)));
+            all.push((ExtremeKind::Horizon, (wo, level)));
+            all.push((ExtremeKind::Horizon, (level, wo)));
+            all.push((ExtremeKind::Horizon, (level, -wo)));
         }
         for cos in SUBNORMAL {
             for difference in [0.0, 180.0, 33.0] {
                 let low = level(difference) + DVec3::Z * cos;
-                all.extend([(wo, low), (low, wo), (wo, -low)].map(|pair| (Case::Subnormal, pair)));
+                all.extend(
+                    [(wo, low), (low, wo), (wo, -low)].map(|pair| (ExtremeKind::Subnormal, pair)),
+                );
             }
         }
     }
@@ -90,17 +95,19 @@ pub(super) fn pairs() -> Vec<(Case, Pair)> {
             let pairs = others
                 .into_iter()
                 .flatten()
-                .map(|wi| (Case::Subnormal, (wo, wi)));
+                .map(|wi| (ExtremeKind::Subnormal, (wo, wi)));
             all.extend(pairs);
         }
     }
     all
 }
 
-/// Pairs about what is notable in `subject` alone: inside its lobes, and about its critical angle.
-pub(super) fn about(subject: &Subject) -> Vec<(Case, Pair)> {
-    let mut all: Vec<(Case, Pair)> = sampled(subject).map(|pair| (Case::Sampled, pair)).collect();
-    let index = subject.relative_index;
+/// Pairs about what is notable in `specimen` alone: inside its lobes, and about its critical angle.
+pub(super) fn about(specimen: &Specimen) -> Vec<(ExtremeKind, Pair)> {
+    let mut all: Vec<(ExtremeKind, Pair)> = sampled(specimen)
+        .map(|pair| (ExtremeKind::Sampled, pair))
+        .collect();
+    let index = specimen.relative_index;
     let critical = if index > 1.0 { index.recip() } else { index };
     if critical == 1.0 {
         return all;
@@ -117,7 +124,7 @@ pub(super) fn about(subject: &Subject) -> Vec<(Case, Pair)> {
             DVec3::new(w.x, w.y, -side * w.z)
         });
         for wi in std::iter::once(mirrored).chain(grazing) {
-            all.extend([(wo, wi), (wi, wo)].map(|pair| (Case::Critical, pair)));
+            all.extend([(wo, wi), (wi, wo)].map(|pair| (ExtremeKind::Critical, pair)));
         }
     }
     all
@@ -131,9 +138,9 @@ pub(super) fn views() -> Vec<DVec3> {
 }
 
 /// Pairs that samples make, by a map of each lobe and of all.
-fn sampled(subject: &Subject) -> impl Iterator<Item = Pair> {
+fn sampled(specimen: &Specimen) -> impl Iterator<Item = Pair> {
     let mut random = Random::new(17);
-    let bxdf = &*subject.double;
+    let bxdf = &*specimen.double;
     let lobes = bxdf.lobes().len();
     let draw = move |wo: DVec3, index: usize| {
         let [u, v] = random.pair();
@@ -178,15 +185,15 @@ fn level(difference_deg: f64) -> DVec3 {
     DVec3::new(cos_phi, sin_phi, 0.0)
 }
 
-fn case_of(theta_o: f64, theta_i: f64) -> Case {
+fn case_of(theta_o: f64, theta_i: f64) -> ExtremeKind {
     let last_normal = NORMAL_DEG.into_iter().fold(0.0, f64::max);
     let first_grazing = 90.0 - FROM_HORIZON_DEG.into_iter().fold(0.0, f64::max);
     if theta_o.max(theta_i) <= last_normal {
-        Case::Normal
+        ExtremeKind::Normal
     } else if theta_o.min(theta_i) >= first_grazing {
-        Case::Grazing
+        ExtremeKind::Grazing
     } else {
-        Case::Ladder
+        ExtremeKind::Ladder
     }
 }
 
@@ -230,14 +237,14 @@ mod tests {
     fn every_case_of_directions_has_pairs_and_all_are_unit() {
         let all = pairs();
         for case in [
-            Case::Ladder,
-            Case::Normal,
-            Case::Grazing,
-            Case::Horizon,
-            Case::Retro,
-            Case::Opposed,
-            Case::Mirror,
-            Case::Subnormal,
+            ExtremeKind::Ladder,
+            ExtremeKind::Normal,
+            ExtremeKind::Grazing,
+            ExtremeKind::Horizon,
+            ExtremeKind::Retro,
+            ExtremeKind::Opposed,
+            ExtremeKind::Mirror,
+            ExtremeKind::Subnormal,
         ] {
             assert!(
                 all.iter().filter(|(found, _)| *found == case).count() > 20,
@@ -245,7 +252,7 @@ mod tests {
             );
         }
         let mut random = Random::new(3);
-        let by_chance = (0..1000).map(|_| (Case::Random, random_pair(&mut random)));
+        let by_chance = (0..1000).map(|_| (ExtremeKind::Random, random_pair(&mut random)));
         for (case, (wo, wi)) in all.into_iter().chain(by_chance) {
             for w in [wo, wi] {
                 assert!(

@@ -7,10 +7,10 @@
 use glam::DVec3;
 use xprec::Df64;
 
-use super::Case;
-use super::tally::{Finding, Tally};
+use super::ExtremeKind;
+use super::extreme_tally::{Finding, Tally};
 use crate::rounding::{quantities, stability_bound};
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::ModelSpec;
 use bxdf::math::{Real, Vec3};
 use bxdf::param::{Kind, ParamSet, ParamSpec, Value};
@@ -43,19 +43,19 @@ const BUDGET: u32 = 60_000;
 const LINES_DEG: [(f64, f64); 3] = [(35.0, 180.0), (80.0, 20.0), (145.0, 33.0)];
 
 /// Looks along lines of wi.
-pub(super) fn jumps(subject: &Subject, tally: &mut Tally) {
+pub(super) fn jumps(specimen: &Specimen, tally: &mut Tally) {
     for (theta_o, azimuth) in LINES_DEG {
         let wo = direction(Df64::of(theta_o), 0.0);
         for [from, to] in [[1e-3, 89.999], [90.001, 179.999]] {
             let line = |theta: f64| {
                 let wi = direction(Df64::of(theta), azimuth);
-                Some(quantities(&*subject.reference, wo, wi))
+                Some(quantities(&*specimen.reference, wo, wi))
             };
             let stretches = linear(from, to);
             let found = largest_jump(&line, &stretches);
             record(found, tally, |theta| {
                 let beside = direction(Df64::of(theta * (1.0 - BESIDE)), azimuth);
-                (subject, wo.into(), beside.into())
+                (specimen, wo.into(), beside.into())
             });
         }
     }
@@ -84,8 +84,8 @@ pub(super) fn along_parameters(model: &ModelSpec, params: &ParamSet, tally: &mut
             let at = found
                 .jump
                 .and_then(|jump| moved(model, params, spec, jump.x * (1.0 - BESIDE)));
-            let subject = Subject::new(model, at.as_ref().unwrap_or(params));
-            record(found, tally, |_| (&subject, wo.into(), wi.into()));
+            let specimen = Specimen::new(model, at.as_ref().unwrap_or(params));
+            record(found, tally, |_| (&specimen, wo.into(), wi.into()));
         }
     }
 }
@@ -257,24 +257,28 @@ fn halve(line: &Line<'_>, (a, b): (&Place, &Place), rises: &mut Vec<[f64; 4]>, s
 }
 
 /// Counts a line that was looked at to its end; `beside` gives a point next to the step.
-fn record<'a>(found: Scan, tally: &mut Tally, beside: impl Fn(f64) -> (&'a Subject, DVec3, DVec3)) {
+fn record<'a>(
+    found: Scan,
+    tally: &mut Tally,
+    beside: impl Fn(f64) -> (&'a Specimen, DVec3, DVec3),
+) {
     if found.places >= BUDGET && found.jump.is_none() {
         return;
     }
     let x = found.jump.map_or(1.0, |jump| jump.x);
-    let (subject, wo, wi) = beside(x);
+    let (specimen, wo, wi) = beside(x);
     let mut finding = Finding {
         what: "f",
         ..Finding::default()
     };
     if let Some(jump) = found.jump {
-        let kappas = subject.condition_numbers((wo, wi), f64::UNIT_ROUNDOFF);
+        let kappas = specimen.condition_numbers((wo, wi), f64::UNIT_ROUNDOFF);
         let kappa = kappas.get(jump.quantity).copied().unwrap_or(0.0);
         finding.relative_error = jump.size;
         finding.ratio = jump.size / stability_bound(kappa, f64::UNIT_ROUNDOFF);
     }
-    tally.add(&[Case::Jumps], Df64::NAME, finding, || {
-        (subject.name.clone(), wo, wi)
+    tally.add(&[ExtremeKind::Jumps], Df64::NAME, finding, || {
+        (specimen.name.clone(), wo, wi)
     });
 }
 

@@ -1,6 +1,6 @@
 //! Where floating point gives out: every model at its extremes, in f32 and f64 against the reference precision.
 //!
-//! [`examine`] takes a model to each [`Case`] and returns an [`Extreme`] for each precision: how many results are not
+//! [`examine`] takes a model to each [`ExtremeKind`] and returns an [`Extreme`] for each precision: how many results are not
 //! finite, negative or misplaced, the largest error, and how much of what the stability law allows
 //! ([`rounding`](super::rounding)) it uses up. The extremes of parameters and those of directions are combined:
 //! the usual parameters with every pair of directions, the others in twos with every second. Where the error is worst a
@@ -13,33 +13,33 @@
 //!
 #![doc = include_str!("table.md")]
 
-mod case;
-mod crowd;
 mod directions;
+mod extreme_kind;
+mod extreme_tally;
 mod jumps;
 pub mod map;
 mod parameters;
 mod point;
+mod random_points;
 mod samples;
 mod search;
 pub mod table;
-mod tally;
 
 use rayon::prelude::*;
 
-pub use case::Case;
+pub use extreme_kind::ExtremeKind;
+pub use extreme_tally::{Extreme, Worst};
 pub(crate) use samples::{is_good, is_good_number, is_unit};
-pub use tally::{Extreme, Worst};
 
 use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::{Component, Law, Material, ModelSpec};
 
 use directions::Pair;
+use extreme_tally::Tally;
 use samples::CHOICES;
-use tally::Tally;
 
-/// Points of a crowd that are drawn by one seed.
+/// Random points that are drawn by one seed.
 const CROWD_OF_PART: u64 = 1 << 18;
 
 /// So many sets of parameters share the pairs of directions among them, in turns; the usual ones have all for themselves.
@@ -53,7 +53,7 @@ pub struct Extent {
     /// Random points over all models, in every precision.
     pub random: u64,
     /// More of them in f32 and in f64 alone, without the reference.
-    pub crowd: u64,
+    pub random_points: u64,
 }
 
 impl Extent {
@@ -61,7 +61,7 @@ impl Extent {
     pub const FULL: Self = Self {
         stride: 1,
         random: 1_000_000,
-        crowd: 0,
+        random_points: 0,
     };
 }
 
@@ -76,21 +76,25 @@ pub fn examine(model: &ModelSpec, stride: usize, random: u64) -> Vec<Extreme> {
         .par_iter()
         .enumerate()
         .fold(Tally::default, |mut tally, (index, (case, params))| {
-            let subject = Subject::new(model, params);
-            let about = directions::about(&subject);
-            let step = if *case == Case::Usual { 1 } else { SHARED_BY };
+            let specimen = Specimen::new(model, params);
+            let about = directions::about(&specimen);
+            let step = if *case == ExtremeKind::Usual {
+                1
+            } else {
+                SHARED_BY
+            };
             let pairs = pairs.iter().skip(index % step).step_by(step);
             let pairs = pairs.chain(&about);
-            at_pairs(&subject, Some(*case), pairs, is_reciprocal, &mut tally);
-            at_samples(&subject, &mut tally);
-            if *case == Case::Usual {
-                jumps::jumps(&subject, &mut tally);
+            at_pairs(&specimen, Some(*case), pairs, is_reciprocal, &mut tally);
+            at_samples(&specimen, &mut tally);
+            if *case == ExtremeKind::Usual {
+                jumps::jumps(&specimen, &mut tally);
             }
             tally
         })
         .reduce(Tally::default, Tally::with);
     for (case, params) in &examined {
-        if *case == Case::Usual {
+        if *case == ExtremeKind::Usual {
             jumps::along_parameters(model, params, &mut tally);
         }
     }
@@ -107,20 +111,20 @@ pub fn examine_all(models: &[&ModelSpec], extent: Extent) -> Vec<Vec<Extreme>> {
         .par_iter()
         .map(|model| {
             let mut extremes = examine(model, extent.stride, share(extent.random));
-            extremes.extend(examine_crowd(model, share(extent.crowd)));
+            extremes.extend(examine_random_points(model, share(extent.random_points)));
             extremes
         })
         .collect()
 }
 
-/// The crowd of `model`, on all processors.
-fn examine_crowd(model: &ModelSpec, count: u64) -> Vec<Extreme> {
+/// The random points of `model`, on all processors.
+fn examine_random_points(model: &ModelSpec, count: u64) -> Vec<Extreme> {
     let parts = count.div_ceil(CROWD_OF_PART);
     let tally = (0..parts)
         .into_par_iter()
         .fold(Tally::default, |mut tally, part| {
             let size = CROWD_OF_PART.min(count - part * CROWD_OF_PART);
-            crowd::crowd(model, size, part, &mut tally);
+            random_points::random_points(model, size, part, &mut tally);
             tally
         })
         .reduce(Tally::default, Tally::with);
@@ -154,23 +158,23 @@ impl Question for Ranking {
 fn examine_while(material: &Material, is_wanted: IsWanted<'_>) -> Option<Vec<Extreme>> {
     let mut models = material.components().iter().map(Component::model);
     let is_reciprocal = models.all(is_reciprocal);
-    let subject = Subject::of_material(material);
+    let specimen = Specimen::of_material(material);
     let mut tally = Tally::default();
-    let about = directions::about(&subject);
+    let about = directions::about(&specimen);
     let all = directions::pairs()
         .into_iter()
         .chain(about)
         .collect::<Vec<_>>();
     for some in all.chunks(PAIRS_AT_A_TIME) {
         is_wanted().then_some(())?;
-        at_pairs(&subject, None, some, is_reciprocal, &mut tally);
+        at_pairs(&specimen, None, some, is_reciprocal, &mut tally);
     }
     is_wanted().then_some(())?;
-    at_samples(&subject, &mut tally);
+    at_samples(&specimen, &mut tally);
     is_wanted().then_some(())?;
-    jumps::jumps(&subject, &mut tally);
+    jumps::jumps(&specimen, &mut tally);
     is_wanted().then_some(())?;
-    search::climb_at(&subject, &mut tally);
+    search::climb_at(&specimen, &mut tally);
     let models = material.components().iter().map(Component::model);
     let ratios = models.map(|model| model.properties.stability_ratio);
     Some(tally.into_extremes(ratios.fold(1.0, f64::max)))
@@ -190,18 +194,18 @@ fn is_reciprocal(model: &ModelSpec) -> bool {
 /// Compares at every pair, in every precision, under the cases of the directions and that of the parameters; what lies inside
 /// the core, which no material has, is counted for itself alone.
 fn at_pairs<'a>(
-    subject: &Subject,
-    of_parameters: Option<Case>,
-    pairs: impl IntoIterator<Item = &'a (Case, Pair)>,
+    specimen: &Specimen,
+    of_parameters: Option<ExtremeKind>,
+    pairs: impl IntoIterator<Item = &'a (ExtremeKind, Pair)>,
     is_reciprocal: bool,
     tally: &mut Tally,
 ) {
-    let (single, double) = (point::single(subject), point::double(subject));
+    let (single, double) = (point::single(specimen), point::double(specimen));
     for (case, pair) in pairs {
-        let of_directions = (of_parameters != Some(Case::Core)).then_some(*case);
-        let cases: Vec<Case> = of_parameters.into_iter().chain(of_directions).collect();
-        point::measure(subject, &cases, *pair, tally);
-        if is_reciprocal && *case != Case::Ladder {
+        let of_directions = (of_parameters != Some(ExtremeKind::Core)).then_some(*case);
+        let cases: Vec<ExtremeKind> = of_parameters.into_iter().chain(of_directions).collect();
+        point::measure(specimen, &cases, *pair, tally);
+        if is_reciprocal && *case != ExtremeKind::Ladder {
             single.two_ways(*pair, tally);
             double.two_ways(*pair, tally);
         }
@@ -209,11 +213,11 @@ fn at_pairs<'a>(
 }
 
 /// Draws samples at the ends of the unit cube, in every precision.
-fn at_samples(subject: &Subject, tally: &mut Tally) {
-    let cases = [Case::SamplerEnds];
-    samples::samples(&point::single(subject), &cases, &CHOICES, tally);
-    samples::samples(&point::double(subject), &cases, &CHOICES, tally);
+fn at_samples(specimen: &Specimen, tally: &mut Tally) {
+    let cases = [ExtremeKind::SamplerEnds];
+    samples::samples(&point::single(specimen), &cases, &CHOICES, tally);
+    samples::samples(&point::double(specimen), &cases, &CHOICES, tally);
     // Of the reference, which nothing is held against, it is enough to see each sampler once.
     let [_, middle, _] = CHOICES;
-    samples::samples(&point::reference(subject), &cases, &[middle], tally);
+    samples::samples(&point::reference(specimen), &cases, &[middle], tally);
 }

@@ -1,9 +1,9 @@
 //! The extremes of a model's parameters.
 
-use super::Case;
+use super::ExtremeKind;
 use crate::analysis::statistics::Random;
 use crate::contract::sweep::{Sets, bases, ends, with_colours, with_widths};
-use crate::subject::rounded_to_single;
+use crate::specimen::rounded_to_single;
 use bxdf::ModelSpec;
 use bxdf::internals::beyond_range;
 use bxdf::param::{Kind, ParamSet, ParamSpec, Role, Scale, Value};
@@ -26,18 +26,18 @@ const CORE_WIDTH: f32 = 1e-8;
 /// The ratio of the widths of an extreme blade.
 const RATIO: f64 = 1e4;
 
-/// Sets of parameters, each with its extreme. None is refused by the model, but for those of [`Case::Core`].
-pub(super) fn parameter_sets(model: &ModelSpec) -> Vec<(Case, ParamSet)> {
+/// Sets of parameters, each with its extreme. None is refused by the model, but for those of [`ExtremeKind::Core`].
+pub(super) fn parameter_sets(model: &ModelSpec) -> Vec<(ExtremeKind, ParamSet)> {
     let mut found = Found {
         sets: Sets::of(model),
         named: Vec::new(),
     };
     let defaults = model.defaults();
-    found.add(Case::Usual, Some(defaults.clone()));
-    found.add(Case::Colours, with_colours(&defaults, 0.0));
+    found.add(ExtremeKind::Usual, Some(defaults.clone()));
+    found.add(ExtremeKind::Colours, with_colours(&defaults, 0.0));
     for base in bases(model) {
-        found.add(Case::Colours, Some(base.clone()));
-        found.add(Case::Colours, with_colours(&base, 0.0));
+        found.add(ExtremeKind::Colours, Some(base.clone()));
+        found.add(ExtremeKind::Colours, with_colours(&base, 0.0));
         widths(&base, &mut found);
         for spec in base.iter().map(|(spec, _)| spec) {
             if base.is_relevant(spec) {
@@ -45,20 +45,22 @@ pub(super) fn parameter_sets(model: &ModelSpec) -> Vec<(Case, ParamSet)> {
             }
         }
         for end in [0, 1] {
-            found.add(Case::RangeEnds, all_at_end(&base, end));
+            found.add(ExtremeKind::RangeEnds, all_at_end(&base, end));
         }
     }
-    let core = core_widths(model).into_iter().map(|set| (Case::Core, set));
+    let core = core_widths(model)
+        .into_iter()
+        .map(|set| (ExtremeKind::Core, set));
     found.named.into_iter().chain(core).collect()
 }
 
 struct Found<'a> {
     sets: Sets<'a>,
-    named: Vec<(Case, ParamSet)>,
+    named: Vec<(ExtremeKind, ParamSet)>,
 }
 
 impl Found<'_> {
-    fn add(&mut self, case: Case, set: Option<ParamSet>) {
+    fn add(&mut self, case: ExtremeKind, set: Option<ParamSet>) {
         // Numbers of f32, so that every precision is given the same.
         let set = set.map(|set| rounded_to_single(&set));
         if let Some(set) = self.sets.add(set) {
@@ -74,12 +76,12 @@ fn widths(base: &ParamSet, found: &mut Found<'_>) {
     };
     let [min, max] = spec.hard;
     for narrow in [min, 1e-4, 1e-3, 1e-2] {
-        found.add(Case::Narrow, with_widths(base, narrow, narrow));
+        found.add(ExtremeKind::Narrow, with_widths(base, narrow, narrow));
     }
-    found.add(Case::RangeEnds, with_widths(base, max, max));
+    found.add(ExtremeKind::RangeEnds, with_widths(base, max, max));
     let slim = min.max(max / RATIO);
     for [x, y] in [[slim, max], [max, slim], [0.05, 0.5]] {
-        found.add(Case::Anisotropic, with_widths(base, x, y));
+        found.add(ExtremeKind::Anisotropic, with_widths(base, x, y));
     }
 }
 
@@ -95,27 +97,27 @@ fn number(base: &ParamSet, spec: &ParamSpec, found: &mut Found<'_>) {
     } else if spec.kind == Kind::Rgb && !is_plain_but_for_fresnel(base) {
         // Of a metal's index only the reflectance of its facets knows.
     } else if spec.is_index() {
-        add(Case::IndexNearOne, 1.0);
+        add(ExtremeKind::IndexNearOne, 1.0);
         for distance in FROM_ONE {
-            add(Case::IndexNearOne, 1.0 + distance);
-            add(Case::IndexNearOne, 1.0 - distance);
+            add(ExtremeKind::IndexNearOne, 1.0 + distance);
+            add(ExtremeKind::IndexNearOne, 1.0 - distance);
         }
         for end in [spec.hard, [1e-2, 1e3]].into_iter().flatten() {
-            add(Case::LargeIndex, end);
+            add(ExtremeKind::LargeIndex, end);
         }
     } else if spec.role == Role::Absorption {
         for k in ABSORPTIONS {
-            add(Case::Absorbing, k);
+            add(ExtremeKind::Absorbing, k);
         }
     } else if spec.role.is_width() {
         let [min, max] = spec.hard;
         for narrow in [min, 1e-4, 1e-3, 1e-2] {
-            add(Case::Narrow, narrow);
+            add(ExtremeKind::Narrow, narrow);
         }
-        add(Case::RangeEnds, max);
+        add(ExtremeKind::RangeEnds, max);
     } else {
         for end in ends(spec) {
-            found.add(Case::RangeEnds, base.with(&[(spec.name, end)]));
+            found.add(ExtremeKind::RangeEnds, base.with(&[(spec.name, end)]));
         }
     }
 }

@@ -3,49 +3,49 @@
 use glam::DVec3;
 use xprec::Df64;
 
-use super::Case;
+use super::ExtremeKind;
 use super::directions::Pair;
-use super::tally::{Finding, Tally};
+use super::extreme_tally::{Finding, Tally};
 use crate::rounding::{
     Quantity, WHOLE, condition_numbers, is_subnormal, quantities, relative_difference,
     stability_bound,
 };
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::Scatterer;
 use bxdf::math::{Real, Vec3};
 
-/// A precision with the models of a subject in it.
+/// A precision with the models of a specimen in it.
 pub(super) struct Tested<'a, R: Real> {
-    pub(super) subject: &'a Subject,
+    pub(super) specimen: &'a Specimen,
     pub(super) model: &'a dyn Scatterer<R>,
     /// At the parameters as `R` has them.
     pub(super) exact: &'a dyn Scatterer<Df64>,
 }
 
-/// `subject` in f32.
-pub(super) fn single(subject: &Subject) -> Tested<'_, f32> {
+/// `specimen` in f32.
+pub(super) fn single(specimen: &Specimen) -> Tested<'_, f32> {
     Tested {
-        subject,
-        model: &*subject.single,
-        exact: &*subject.reference_of_single,
+        specimen,
+        model: &*specimen.single,
+        exact: &*specimen.reference_of_single,
     }
 }
 
-/// `subject` in f64.
-pub(super) fn double(subject: &Subject) -> Tested<'_, f64> {
+/// `specimen` in f64.
+pub(super) fn double(specimen: &Specimen) -> Tested<'_, f64> {
     Tested {
-        subject,
-        model: &*subject.double,
-        exact: &*subject.reference,
+        specimen,
+        model: &*specimen.double,
+        exact: &*specimen.reference,
     }
 }
 
-/// `subject` in the reference precision, which nothing is held against.
-pub(super) fn reference(subject: &Subject) -> Tested<'_, Df64> {
+/// `specimen` in the reference precision, which nothing is held against.
+pub(super) fn reference(specimen: &Specimen) -> Tested<'_, Df64> {
     Tested {
-        subject,
-        model: &*subject.reference,
-        exact: &*subject.reference,
+        specimen,
+        model: &*specimen.reference,
+        exact: &*specimen.reference,
     }
 }
 
@@ -136,7 +136,7 @@ impl<R: Real> Tested<'_, R> {
     }
 
     fn condition_numbers(&self, pair: Pair, enough: [f64; 4]) -> [f64; 4] {
-        let models = (self.exact, &*self.subject.neighbours);
+        let models = (self.exact, &*self.specimen.neighbours);
         condition_numbers(models, pair, R::UNIT_ROUNDOFF, enough)
     }
 
@@ -160,7 +160,7 @@ impl<R: Real> Tested<'_, R> {
     }
 
     /// Compares with the reference's numbers at `pair`, and counts it under `cases`.
-    fn measure(&self, cases: &[Case], pair: Pair, exact: [Df64; 4], tally: &mut Tally) {
+    fn measure(&self, cases: &[ExtremeKind], pair: Pair, exact: [Df64; 4], tally: &mut Tally) {
         let finding = self.compare_with(pair, exact, tally.largest_ratio(cases, R::NAME));
         tally.add(cases, R::NAME, finding, || self.at(pair));
     }
@@ -168,7 +168,7 @@ impl<R: Real> Tested<'_, R> {
     /// The point as it is reported.
     pub(super) fn at(&self, (wo, wi): Pair) -> (String, DVec3, DVec3) {
         let (wo, wi): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
-        (self.subject.name.clone(), wo.into(), wi.into())
+        (self.specimen.name.clone(), wo.into(), wi.into())
     }
 }
 
@@ -177,12 +177,12 @@ impl<R: Real> Tested<'_, R> {
     pub(super) fn two_ways(&self, (wo, wi): Pair, tally: &mut Tally) {
         let (o, i): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
         let (wo, wi): Pair = (o.into(), i.into());
-        let [n_o, n_i] = [wo, wi].map(|w| self.subject.index_at(w));
+        let [n_o, n_i] = [wo, wi].map(|w| self.specimen.index_at(w));
         if has_subnormal(o) || has_subnormal(i) {
             return;
         }
         let (there, back) = (self.model.f(o, i), self.model.f(i, o));
-        let floor = tally.largest_ratio(&[Case::Reciprocity], R::NAME);
+        let floor = tally.largest_ratio(&[ExtremeKind::Reciprocity], R::NAME);
         let mut finding = Finding {
             what: "f",
             ..Finding::default()
@@ -202,21 +202,21 @@ impl<R: Real> Tested<'_, R> {
                 finding.ratio = finding.ratio.max(ratio);
             }
         }
-        tally.add(&[Case::Reciprocity], R::NAME, finding, || {
-            (self.subject.name.clone(), wo, wi)
+        tally.add(&[ExtremeKind::Reciprocity], R::NAME, finding, || {
+            (self.specimen.name.clone(), wo, wi)
         });
     }
 }
 
 /// Whether nothing is seen at a pair: f and pdf are 0, in the reference precision.
-pub(super) fn is_black(subject: &Subject, (wo, wi): Pair) -> bool {
-    let values = quantities(&*subject.reference, wo.into(), wi.into());
+pub(super) fn is_black(specimen: &Specimen, (wo, wi): Pair) -> bool {
+    let values = quantities(&*specimen.reference, wo.into(), wi.into());
     values.iter().all(|x| x.as_f64() == 0.0)
 }
 
 /// Compares at `pair` in every precision, and counts it under `cases`; of the reference, whether it is finite and not negative.
-pub(super) fn measure(subject: &Subject, cases: &[Case], pair: Pair, tally: &mut Tally) {
-    let (single, double) = (single(subject), double(subject));
+pub(super) fn measure(specimen: &Specimen, cases: &[ExtremeKind], pair: Pair, tally: &mut Tally) {
+    let (single, double) = (single(specimen), double(specimen));
     single.measure(cases, pair, single.exact_at(pair), tally);
     let exact = double.exact_at(pair);
     double.measure(cases, pair, exact, tally);

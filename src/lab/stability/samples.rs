@@ -3,14 +3,14 @@
 use glam::DVec3;
 use xprec::Df64;
 
-use super::Case;
+use super::ExtremeKind;
 use super::directions::views;
+use super::extreme_tally::{Finding, Tally};
 use super::point::Tested;
-use super::tally::{Finding, Tally};
 use crate::rounding::{
     Quantity, UNIT_LENGTH_ROUNDOFFS, quantities, relative_difference, stability_bound,
 };
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::{Real, Vec3};
 use bxdf::optics::Spectrum;
 use bxdf::{Sample, Side};
@@ -53,7 +53,7 @@ pub(super) const CHOICES: [f64; 3] = [0.0, 0.5, 1.0];
 /// Draws samples at the ends of the unit square along directions of view, with each of `choices` among lobes.
 pub(super) fn samples<R: Real>(
     at: &Tested<'_, R>,
-    cases: &[Case],
+    cases: &[ExtremeKind],
     choices: &[f64],
     tally: &mut Tally,
 ) {
@@ -72,7 +72,7 @@ pub(super) fn samples<R: Real>(
 /// Draws the sample at these numbers (the direction's two, and the choice) along `wo`.
 pub(super) fn sample<R: Real>(
     at: &Tested<'_, R>,
-    cases: &[Case],
+    cases: &[ExtremeKind],
     wo: DVec3,
     [u, v, uc]: [f64; 3],
     tally: &mut Tally,
@@ -84,7 +84,7 @@ pub(super) fn sample<R: Real>(
     let finding = drawn.map_or_else(Finding::default, |sample| judged(at, wo, &sample));
     tally.add(cases, R::NAME, finding, || {
         let wi: DVec3 = drawn.map_or(DVec3::Z, |sample| sample.wi.into());
-        (at.subject.name.clone(), wo.into(), wi)
+        (at.specimen.name.clone(), wo.into(), wi)
     });
 }
 
@@ -96,7 +96,7 @@ fn judged<R: Real>(at: &Tested<'_, R>, wo: Vec3<R>, sample: &Sample<R>) -> Findi
         is_not_finite: !is_finite,
         is_misplaced: !is_unit(sample.wi)
             || sample.pdf <= R::zero()
-            || is_astray(at.subject, wo, sample.wi),
+            || is_astray(at.specimen, wo, sample.wi),
         weight: is_finite.then(|| weight.0.map(Real::as_f64).into_iter().fold(0.0, f64::max)),
         what: "f",
         ..Finding::default()
@@ -117,6 +117,6 @@ fn judged<R: Real>(at: &Tested<'_, R>, wo: Vec3<R>, sample: &Sample<R>) -> Findi
 }
 
 /// Whether `wi` is in the horizon plane, or on a side where no lobe goes.
-fn is_astray<R: Real>(subject: &Subject, wo: Vec3<R>, wi: Vec3<R>) -> bool {
-    wi.z == R::zero() || !subject.has_side(Side::between(wo, wi))
+fn is_astray<R: Real>(specimen: &Specimen, wo: Vec3<R>, wi: Vec3<R>) -> bool {
+    wi.z == R::zero() || !specimen.has_side(Side::between(wo, wi))
 }

@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::Case;
+use super::ExtremeKind;
 use super::directions::{Pair, random_pair};
+use super::extreme_tally::Tally;
 use super::parameters::random_set;
 use super::point::{self, Tested};
 use super::samples;
-use super::tally::Tally;
 use crate::analysis::statistics::Random;
-use crate::subject::{Subject, seed_of};
+use crate::specimen::{Specimen, seed_of};
 use bxdf::math::Real;
 use bxdf::param::{Kind, ParamSet, Value};
 use bxdf::{Component, ModelSpec};
@@ -26,30 +26,30 @@ const STEPS: usize = 128;
 /// Compares at `count` random points of `model`.
 pub(super) fn random(model: &ModelSpec, count: u64, tally: &mut Tally) {
     let mut random = Random::new(seed_of(model.id));
-    let cases = [Case::Random];
+    let cases = [ExtremeKind::Random];
     let mut done = 0;
     while done < count {
         let Some(params) = random_set(model, &mut random) else {
             continue;
         };
-        let subject = Subject::new(model, &params);
+        let specimen = Specimen::new(model, &params);
         let pairs = PAIRS_OF_SET.min(count - done);
         for _ in 0..pairs {
-            at_random(&subject, &cases, &mut random, tally);
+            at_random(&specimen, &cases, &mut random, tally);
         }
         done += pairs;
     }
 }
 
 /// Compares at one random pair, and draws one random sample.
-fn at_random(subject: &Subject, cases: &[Case], random: &mut Random, tally: &mut Tally) {
+fn at_random(specimen: &Specimen, cases: &[ExtremeKind], random: &mut Random, tally: &mut Tally) {
     let pair = random_pair(random);
     let u = [random.unit(), random.unit(), random.unit()];
-    point::measure(subject, cases, pair, tally);
+    point::measure(specimen, cases, pair, tally);
     let (wo, _) = pair;
-    samples::sample(&point::single(subject), cases, wo, u, tally);
-    samples::sample(&point::double(subject), cases, wo, u, tally);
-    samples::sample(&point::reference(subject), cases, wo, u, tally);
+    samples::sample(&point::single(specimen), cases, wo, u, tally);
+    samples::sample(&point::double(specimen), cases, wo, u, tally);
+    samples::sample(&point::reference(specimen), cases, wo, u, tally);
 }
 
 /// Goes uphill from the worst points so far, in parameters and directions, each time to where the error uses up more of its
@@ -62,7 +62,7 @@ pub(super) fn climb(model: &ModelSpec, tally: &mut Tally) {
             continue;
         };
         let mut at = (start.params().clone(), (worst.wo, worst.wi));
-        let mut subject = Subject::new(model, &at.0);
+        let mut specimen = Specimen::new(model, &at.0);
         let mut highest = 0.0;
         for step in 0..STEPS {
             let reach = 10.0_f64.powf(-8.0 * random.unit());
@@ -70,14 +70,14 @@ pub(super) fn climb(model: &ModelSpec, tally: &mut Tally) {
             let pair = moved_pair(at.1, reach, &mut random);
             let moved = params
                 .filter(|params| (model.validate)(params).is_ok())
-                .map(|params| (Subject::new(model, &params), params));
-            let other = moved.as_ref().map_or(&subject, |(subject, _)| subject);
+                .map(|params| (Specimen::new(model, &params), params));
+            let other = moved.as_ref().map_or(&specimen, |(specimen, _)| specimen);
             let ratio = measured(other, precision, pair, tally);
             if ratio > highest {
                 highest = ratio;
                 at.1 = pair;
                 if let Some((other, params)) = moved {
-                    (subject, at.0) = (other, params);
+                    (specimen, at.0) = (other, params);
                 }
             }
         }
@@ -85,14 +85,14 @@ pub(super) fn climb(model: &ModelSpec, tally: &mut Tally) {
 }
 
 /// [`climb`] in directions alone.
-pub(super) fn climb_at(subject: &Subject, tally: &mut Tally) {
-    let mut random = Random::new(subject.seed() ^ 1);
+pub(super) fn climb_at(specimen: &Specimen, tally: &mut Tally) {
+    let mut random = Random::new(specimen.seed() ^ 1);
     for (precision, worst) in starts(tally) {
         let (mut at, mut highest) = ((worst.wo, worst.wi), 0.0);
         for _ in 0..STEPS {
             let reach = 10.0_f64.powf(-8.0 * random.unit());
             let pair = moved_pair(at, reach, &mut random);
-            let ratio = measured(subject, precision, pair, tally);
+            let ratio = measured(specimen, precision, pair, tally);
             if ratio > highest {
                 (highest, at) = (ratio, pair);
             }
@@ -120,17 +120,17 @@ fn starts(tally: &Tally) -> Vec<(&'static str, super::Worst)> {
 }
 
 /// The ratio at a pair in the precision of this name, exact if it is above what the climb has found so far.
-fn measured(subject: &Subject, precision: &str, pair: Pair, tally: &mut Tally) -> f64 {
+fn measured(specimen: &Specimen, precision: &str, pair: Pair, tally: &mut Tally) -> f64 {
     if precision == f32::NAME {
-        followed(&point::single(subject), pair, tally)
+        followed(&point::single(specimen), pair, tally)
     } else {
-        followed(&point::double(subject), pair, tally)
+        followed(&point::double(specimen), pair, tally)
     }
 }
 
 fn followed<R: Real>(at: &Tested<'_, R>, pair: Pair, tally: &mut Tally) -> f64 {
     let finding = at.compare(pair, 0.0);
-    tally.add(&[Case::Climb], R::NAME, finding, || at.at(pair));
+    tally.add(&[ExtremeKind::Climb], R::NAME, finding, || at.at(pair));
     finding.ratio
 }
 

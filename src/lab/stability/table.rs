@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use glam::DVec3;
 
-use super::{Case, Extreme, Worst};
-use crate::subject::Subject;
+use super::{Extreme, ExtremeKind, Worst};
+use crate::specimen::Specimen;
 use bxdf::math::Real;
 use bxdf::{Component, ModelSpec};
 
@@ -70,7 +70,7 @@ impl Row {
     fn of(model: &ModelSpec, precision: &str, extremes: &[Extreme]) -> Self {
         let of_values = extremes.iter().filter(|extreme| {
             let case = extreme.case;
-            let is_left_out = matches!(case, Case::Core | Case::Random);
+            let is_left_out = matches!(case, ExtremeKind::Core | ExtremeKind::Random);
             extreme.precision == precision && case.is_of_values() && !is_left_out
         });
         let mut row = Self {
@@ -129,12 +129,12 @@ impl Row {
     pub fn measured_anew(&self) -> Option<f64> {
         let worst = self.worst.as_ref()?;
         let component: Component = worst.params.parse().ok()?;
-        let subject = Subject::new(component.model(), component.params());
+        let specimen = Specimen::new(component.model(), component.params());
         let pair = (worst.wo, worst.wi);
         let finding = if self.precision == f32::NAME {
-            super::point::single(&subject).compare(pair, 0.0)
+            super::point::single(&specimen).compare(pair, 0.0)
         } else {
-            super::point::double(&subject).compare(pair, 0.0)
+            super::point::double(&specimen).compare(pair, 0.0)
         };
         Some(finding.ratio)
     }
@@ -166,7 +166,10 @@ mod tests {
             max_weight: None,
             worst: Some(worst.clone()),
         };
-        let found = [extreme(Case::Retro, 0.25), extreme(Case::Random, 9.0)];
+        let found = [
+            extreme(ExtremeKind::Retro, 0.25),
+            extreme(ExtremeKind::Random, 9.0),
+        ];
         let text = table(&[(model, &found)]);
         let rows: Vec<Row> = text.lines().filter_map(Row::read).collect();
         assert_eq!(rows.len(), 2, "{text}");

@@ -11,7 +11,7 @@ pub use place::Place;
 use super::point::{self, Tested};
 use crate::analysis::raster::Raster;
 use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::math::Real;
 
 /// What a map is asked for.
@@ -46,17 +46,17 @@ impl Cell {
     };
 
     /// What is found at a place.
-    fn at(subject: Option<&Subject>, place: Option<&Place>) -> Self {
-        let (Some(subject), Some(place)) = (subject, place) else {
+    fn at(specimen: Option<&Specimen>, place: Option<&Place>) -> Self {
+        let (Some(specimen), Some(place)) = (specimen, place) else {
             return Self::NOTHING;
         };
         let pair = place.pair();
-        let kappas = subject.condition_numbers(pair, f64::UNIT_ROUNDOFF);
+        let kappas = specimen.condition_numbers(pair, f64::UNIT_ROUNDOFF);
         let [single, double] = [
-            found(&point::single(subject), pair),
-            found(&point::double(subject), pair),
+            found(&point::single(specimen), pair),
+            found(&point::double(specimen), pair),
         ];
-        if point::is_black(subject, pair) {
+        if point::is_black(specimen, pair) {
             return Self::NOTHING;
         }
         Self {
@@ -117,9 +117,9 @@ impl Question for Request {
                 1.0 - share(index)
             };
             let start = across.moved(&self.place, across.value(at));
-            let subject = start
+            let specimen = start
                 .as_ref()
-                .map(|start| Subject::of_material(&start.material));
+                .map(|start| Specimen::of_material(&start.material));
             let cell = |index: usize| {
                 let at = if is_upright {
                     1.0 - share(index)
@@ -130,10 +130,10 @@ impl Question for Request {
                 let own = along.is_of_material().then(|| {
                     place
                         .as_ref()
-                        .map(|place| Subject::of_material(&place.material))
+                        .map(|place| Specimen::of_material(&place.material))
                 });
-                let subject = own.as_ref().map_or(subject.as_ref(), Option::as_ref);
-                Some(Cell::at(subject, place.as_ref()))
+                let specimen = own.as_ref().map_or(specimen.as_ref(), Option::as_ref);
+                Some(Cell::at(specimen, place.as_ref()))
             };
             (0..size)
                 .map(|index| cell(index).unwrap_or(Cell::NOTHING))

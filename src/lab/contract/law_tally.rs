@@ -1,7 +1,7 @@
 //! Counting comparisons and keeping the worst.
 
 use super::law::{LawId, LawReport, Status};
-use crate::subject::Witness;
+use crate::specimen::Witness;
 
 /// The worst comparison of every law so far.
 #[derive(Clone, Debug)]

@@ -32,7 +32,7 @@ const COST: f64 = 2.0;
 /// whose value is out of reach of `trusted` waits until that has come nearer, or is done itself. Arguments else as for
 /// [`integrate_square`](super::integrate_square); `trusted` alone has its sides graded.
 #[must_use]
-pub fn race(
+pub fn best_of(
     trusted: Integrand<'_>,
     rivals: &[Integrand<'_>],
     tolerance: f64,
@@ -186,7 +186,7 @@ mod tests {
             let ring = |[r, _]: &[f64; 2]| [r * std::f64::consts::FRAC_PI_2; 3];
             points.iter().map(ring).collect()
         };
-        let found = race(&cut, &[&polar], 1e-10, 1_000_000);
+        let found = best_of(&cut, &[&polar], 1e-10, 1_000_000);
         assert!((found.value[0] - std::f64::consts::FRAC_PI_4).abs() < 1e-10);
         assert!(found.error <= 1e-10 && asked.get() < 10_000);
     }
@@ -202,7 +202,7 @@ mod tests {
             values
         };
         let missed = |points: &[[f64; 2]]| vec![[0.0; 3]; points.len()];
-        let found = race(&kinked, &[&missed], 1e-7, 1_000_000);
+        let found = best_of(&kinked, &[&missed], 1e-7, 1_000_000);
         // The integral of |u + v - 1/3|: 2/3 + 2 (1/3)^3 / 6.
         let exact = 1.0 + 2.0 / 3.0 + 1.0 / 81.0;
         assert!((found.value[0] - exact).abs() <= 1e-7, "{found:?}");

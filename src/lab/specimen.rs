@@ -41,7 +41,7 @@ impl fmt::Display for Witness {
 }
 
 /// A model at one set of parameters, built in every precision, with what is declared of it.
-pub struct Subject {
+pub struct Specimen {
     /// Model and parameters, as text.
     pub name: String,
     /// In `f32`.
@@ -86,7 +86,7 @@ const RELATIVE_STEP: f64 = 1e-9;
 /// Step of an index, in roundings of the precision: at the edge of total reflection the slope is infinite on one side.
 const ROUNDOFFS_OF_INDEX: f64 = 16.0;
 
-impl Subject {
+impl Specimen {
     /// `model` at `params`.
     #[must_use]
     pub fn new(model: &ModelSpec, params: &ParamSet) -> Self {

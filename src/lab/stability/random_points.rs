@@ -1,10 +1,10 @@
 //! Many random points, in f32 and f64 alone: whether all is finite and not negative.
 
-use super::Case;
+use super::ExtremeKind;
 use super::directions::random_pair;
+use super::extreme_tally::{Finding, Tally};
 use super::parameters::random_set;
 use super::samples::is_unit;
-use super::tally::{Finding, Tally};
 use crate::analysis::statistics::Random;
 use bxdf::Precision;
 use bxdf::batch::{Columns, Job, Path};
@@ -18,7 +18,7 @@ const BATCH: usize = 4096;
 
 /// Values, densities and samples at `count` random points of `model`, in f32 and in f64 each; `seed` tells parts of one
 /// search apart.
-pub(super) fn crowd(model: &ModelSpec, count: u64, seed: u64, tally: &mut Tally) {
+pub(super) fn random_points(model: &ModelSpec, count: u64, seed: u64, tally: &mut Tally) {
     let mut random = Random::new(seed);
     let mut done = 0;
     while done < count {
@@ -114,7 +114,7 @@ fn count(
     finding: Finding,
     precision: &'static str,
 ) {
-    tally.add(&[Case::Crowd], precision, finding, || {
+    tally.add(&[ExtremeKind::Crowd], precision, finding, || {
         (params.component(), point.wo, point.wi)
     });
 }

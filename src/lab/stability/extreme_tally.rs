@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use serde::Serialize;
 
-use super::Case;
+use super::ExtremeKind;
 
 /// What was found at one extreme in one precision.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Extreme {
     /// The extreme.
-    pub case: Case,
+    pub case: ExtremeKind,
     /// The precision: `f32`, `f64` or `reference`.
     pub precision: &'static str,
     /// Number of points: pairs of directions, or samples.
@@ -62,7 +62,7 @@ pub struct Worst {
 }
 
 impl Extreme {
-    fn new(case: Case, precision: &'static str) -> Self {
+    fn new(case: ExtremeKind, precision: &'static str) -> Self {
         Self {
             case,
             precision,
@@ -142,11 +142,11 @@ impl Finding {
 
 /// The extremes found so far, by case and precision.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tally(BTreeMap<(Case, &'static str), Extreme>);
+pub(super) struct Tally(BTreeMap<(ExtremeKind, &'static str), Extreme>);
 
 impl Tally {
     /// The smallest of the largest ratios of `cases`: a point whose ratio is not above it changes nothing.
-    pub(super) fn largest_ratio(&self, cases: &[Case], precision: &'static str) -> f64 {
+    pub(super) fn largest_ratio(&self, cases: &[ExtremeKind], precision: &'static str) -> f64 {
         let ratios = cases.iter().map(|case| {
             let found = self.0.get(&(*case, precision));
             found.map_or(0.0, |extreme| extreme.max_bound_ratio)
@@ -157,7 +157,7 @@ impl Tally {
     /// Counts a point under each of `cases`; `at` says where it is.
     pub(super) fn add(
         &mut self,
-        cases: &[Case],
+        cases: &[ExtremeKind],
         precision: &'static str,
         finding: Finding,
         at: impl Fn() -> (String, DVec3, DVec3),

@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use crate::analysis::statistics::Random;
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 use bxdf::{Category, Lobe, Side};
 
 /// Lobes that one set of cells follows.
@@ -24,10 +24,10 @@ pub(super) enum Family {
 }
 
 impl Family {
-    /// The families of `subject`: one, or the two between which directions are shared.
-    pub(super) fn of(subject: &Subject) -> &'static [Self] {
+    /// The families of `specimen`: one, or the two between which directions are shared.
+    pub(super) fn of(specimen: &Specimen) -> &'static [Self] {
         let has = |category| {
-            let mut lobes = subject.double.lobes().iter();
+            let mut lobes = specimen.double.lobes().iter();
             lobes.any(|lobe| lobe.side == Side::Reflection && lobe.category == category)
         };
         if has(Category::RetroReflective) && has(Category::GlossySpecular) {
@@ -38,32 +38,32 @@ impl Family {
     }
 
     /// Whether the chart of the hemisphere of `wo` follows the lobes that point back.
-    pub(super) fn is_back(self, subject: &Subject) -> bool {
+    pub(super) fn is_back(self, specimen: &Specimen) -> bool {
         match self {
-            Self::All => subject.has_category(Category::RetroReflective),
+            Self::All => specimen.has_category(Category::RetroReflective),
             Self::Back => true,
             Self::Others => false,
         }
     }
 
-    /// One of the families of `subject`, drawn with the shares they have of `wi`.
-    pub(super) fn drawn(subject: &Subject, wo: DVec3, wi: DVec3, random: &mut Random) -> Self {
-        match Self::of(subject) {
-            [first, other] if random.unit() >= first.share(subject, wo, wi) => *other,
+    /// One of the families of `specimen`, drawn with the shares they have of `wi`.
+    pub(super) fn drawn(specimen: &Specimen, wo: DVec3, wi: DVec3, random: &mut Random) -> Self {
+        match Self::of(specimen) {
+            [first, other] if random.unit() >= first.share(specimen, wo, wi) => *other,
             [first, ..] => *first,
             [] => Self::All,
         }
     }
 
     /// The share of the direction `wi` that belongs to this family.
-    pub(super) fn share(self, subject: &Subject, wo: DVec3, wi: DVec3) -> f64 {
+    pub(super) fn share(self, specimen: &Specimen, wo: DVec3, wi: DVec3) -> f64 {
         if self == Self::All {
             return 1.0;
         }
         let is_back = |lobe: &Lobe| lobe.category == Category::RetroReflective;
         let [mut back, mut others] = [0.0; 2];
-        for (index, lobe) in subject.double.lobes().iter().enumerate() {
-            let density = subject.double.lobe_pdf(index, wo.into(), wi.into());
+        for (index, lobe) in specimen.double.lobes().iter().enumerate() {
+            let density = specimen.double.lobe_pdf(index, wo.into(), wi.into());
             *(if is_back(lobe) {
                 &mut back
             } else {

@@ -6,10 +6,10 @@
 use glam::DVec3;
 
 use super::chart::Chart;
-use super::families::Family;
+use super::needle_partition::Family;
 use super::order::median;
 use crate::analysis::statistics::Random;
-use crate::subject::Subject;
+use crate::specimen::Specimen;
 
 /// A cell is cut while each half keeps at least this many pilot samples.
 const PILOTS_PER_CELL: usize = 32;
@@ -47,40 +47,40 @@ pub(super) struct Hemisphere {
 
 /// The sphere cut into cells for each family of lobes, upper hemisphere first.
 pub(super) struct Partition<'a> {
-    pub(super) subject: &'a Subject,
+    pub(super) specimen: &'a Specimen,
     pub(super) wo: DVec3,
     pub(super) hemispheres: Vec<Hemisphere>,
 }
 
 impl<'a> Partition<'a> {
-    /// The partition that follows the samples `pilots` of `subject` at `wo`.
+    /// The partition that follows the samples `pilots` of `specimen` at `wo`.
     pub(super) fn new(
-        subject: &'a Subject,
+        specimen: &'a Specimen,
         wo: DVec3,
         pilots: &[DVec3],
         random: &mut Random,
     ) -> Self {
         let own: Vec<(Family, DVec3)> = pilots
             .iter()
-            .map(|w| (Family::drawn(subject, wo, *w, random), *w))
+            .map(|w| (Family::drawn(specimen, wo, *w, random), *w))
             .collect();
         let mut hemispheres = Vec::new();
         let mut first = 0;
-        for &family in Family::of(subject) {
+        for &family in Family::of(specimen) {
             for sign in [1.0, -1.0] {
                 let inside: Vec<DVec3> = own
                     .iter()
                     .filter(|(owner, w)| *owner == family && w.z * sign > 0.0)
                     .map(|(_, w)| *w)
                     .collect();
-                let chart = Chart::new(subject, wo, sign, family.is_back(subject), &inside);
+                let chart = Chart::new(specimen, wo, sign, family.is_back(specimen), &inside);
                 let hemisphere = Hemisphere::new(family, sign, chart, &inside, first);
                 first += hemisphere.cells.len();
                 hemispheres.push(hemisphere);
             }
         }
         Self {
-            subject,
+            specimen,
             wo,
             hemispheres,
         }
@@ -88,7 +88,7 @@ impl<'a> Partition<'a> {
 
     /// The number of the cell that contains `wi`, for a family drawn with the shares they have of it.
     pub(super) fn cell_of(&self, wi: DVec3, random: &mut Random) -> Option<usize> {
-        let family = Family::drawn(self.subject, self.wo, wi, random);
+        let family = Family::drawn(self.specimen, self.wo, wi, random);
         let sign = if wi.z > 0.0 { 1.0 } else { -1.0 };
         let is_it =
             |hemisphere: &&Hemisphere| (hemisphere.family, hemisphere.sign) == (family, sign);

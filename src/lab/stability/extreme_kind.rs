@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 
 /// An extreme that models are taken to. A point is counted under that of its parameters and under that of its directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Case {
+pub enum ExtremeKind {
     /// Parameters as they usually are: the defaults, with each word of each choice.
     Usual,
     /// Widths at the narrow end of their range.
@@ -57,7 +57,7 @@ pub enum Case {
     Crowd,
 }
 
-impl Case {
+impl ExtremeKind {
     /// All cases, in the order of reports.
     pub const ALL: [Self; 25] = [
         Self::Usual,
@@ -194,7 +194,7 @@ impl Case {
     }
 }
 
-impl Serialize for Case {
+impl Serialize for ExtremeKind {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.id())
     }
@@ -206,8 +206,9 @@ mod tests {
 
     #[test]
     fn cases_are_listed_once_each_in_their_order() {
-        assert!(Case::ALL.is_sorted_by(|a, b| a < b));
-        let words: std::collections::BTreeSet<_> = Case::ALL.map(Case::id).into_iter().collect();
-        assert_eq!(words.len(), Case::ALL.len());
+        assert!(ExtremeKind::ALL.is_sorted_by(|a, b| a < b));
+        let words: std::collections::BTreeSet<_> =
+            ExtremeKind::ALL.map(ExtremeKind::id).into_iter().collect();
+        assert_eq!(words.len(), ExtremeKind::ALL.len());
     }
 }
