@@ -64,6 +64,14 @@ fn places(harness: &Harness<'_, App>, role: Role, name: &str) -> Vec<Rect> {
     places
 }
 
+/// The handles of the held direction in all polar plots, from the left.
+fn handles_of(harness: &Harness<'_, App>) -> Vec<Pos2> {
+    let all = harness.query_all_by_label(HELD);
+    let mut all: Vec<Pos2> = all.map(|node| node.rect().center()).collect();
+    all.sort_by(|a, b| a.x.total_cmp(&b.x));
+    all
+}
+
 fn click_at(harness: &mut Harness<'_, App>, place: Pos2, button: PointerButton) {
     harness.hover_at(place);
     harness.run();
@@ -167,18 +175,10 @@ fn two_cartesian_plots_are_set_by_themselves() {
 fn two_polar_plots_show_two_sections() {
     let shown = beside("brushed_steel", [section(None), section(Some(90.0))]);
     let mut harness = window(shown.clone());
-    let handles = places(&harness, Role::Button, HELD);
-    let handles = if handles.is_empty() {
-        let all = harness.query_all_by_label(HELD);
-        let mut all: Vec<Rect> = all.map(|node| node.rect()).collect();
-        all.sort_by(|a, b| a.left().total_cmp(&b.left()));
-        all
-    } else {
-        handles
-    };
+    let handles = handles_of(&harness);
     assert_eq!(handles.len(), 2);
     // In its own section the held direction does not lie: a drag there sets how far it is from n.
-    let middle = handles[1].center();
+    let middle = handles[1];
     drag(&mut harness, middle, middle + vec2(-60.0, 40.0));
     let session = &harness.state().session;
     assert!(
@@ -194,9 +194,7 @@ fn two_polar_plots_show_two_sections() {
     undo(&mut harness);
     assert_eq!(harness.state().session, shown);
     // In the section of the others it is dragged through n to the other side.
-    let all = harness.query_all_by_label(HELD);
-    let left = all.map(|node| node.rect().center());
-    let left = left.min_by(|a, b| a.x.total_cmp(&b.x)).unwrap();
+    let left = handles_of(&harness)[0];
     drag(&mut harness, left, left + vec2(200.0, 0.0));
     let session = &harness.state().session;
     assert!(session.phi_deg.abs() < 1.0, "{}", session.phi_deg);

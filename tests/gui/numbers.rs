@@ -278,6 +278,33 @@ fn every_number_of_every_view_is_typed() {
     assert_eq!(found.len(), listed.len(), "{found:?}");
 }
 
+/// The azimuth of the own section of the first view.
+fn own_section(session: &Session) -> f64 {
+    let views = &session.views;
+    let mut options = views.get(views.ids()[0]).unwrap().clone();
+    options.own_section().unwrap().0.unwrap()
+}
+
+#[test]
+fn the_own_section_of_every_view_that_has_one_is_typed() {
+    let stored = |x| Some(folded_deg(x));
+    let field: Field = ("", "Own section", [-360.0, 360.0], stored, own_section);
+    let mut found = 0;
+    for view in &VIEWS {
+        let mut shown = session(&["lambertian_reflection"]);
+        shown.materials.selected_mut().is_visible = false;
+        let id = shown.views.show_alone(view);
+        let options = shown.views.get_mut(id).unwrap();
+        if let Some(section) = options.own_section() {
+            section.0 = Some(10.0);
+            let mut harness = picture(shown, Some(view.id), [640, 480], Theme::Dark).shapes();
+            try_field(&mut harness, &field, |app: &App| &app.session);
+            found += 1;
+        }
+    }
+    assert!(found >= 4, "{found}");
+}
+
 #[test]
 fn every_number_of_the_panels_is_typed() {
     let listed: [Field; 4] = [

@@ -106,3 +106,30 @@ impl ViewOptions for Options {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::session::Place;
+
+    #[test]
+    fn what_several_want_is_measured_once_and_each_shows_its_own() {
+        let without = |left_out: &[&str]| Options {
+            left_out: left_out.iter().map(|id| (*id).to_owned()).collect(),
+            ..Options::default()
+        };
+        let [first, second] = [
+            without(&["tables", "mesh"]),
+            without(&["tables", "precision"]),
+        ];
+        let both = [first.clone(), second].map(|options| Place::View(options.into()));
+        let session = Session {
+            views: Place::row(both.into()).into(),
+            ..Session::default()
+        };
+        let all = wanted(&session);
+        assert!(all.contains(&"mesh") && all.contains(&"precision") && !all.contains(&"tables"));
+        let shown = all.into_iter().filter(|id| first.wants(id));
+        assert!(shown.clone().count() > 2 && shown.into_iter().all(|id| id != "mesh"));
+    }
+}
