@@ -52,7 +52,7 @@ impl<R: Real> Sample<R> {
 /// A Dirac delta lobe of a direction `w`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Delta<R> {
-    /// Where it points: both where light arriving along `w` leaves, and whence light leaving along `w` came.
+    /// Where it points: both where light arriving along `w` leaves, and where light leaving along `w` came from.
     pub direction: Vec3<R>,
     /// The share of the flux arriving along `w` that leaves along `direction`.
     pub flux: Spectrum<R>,

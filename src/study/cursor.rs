@@ -18,7 +18,7 @@ pub struct Cursor {
 
 impl Cursor {
     /// Holds one direction of the pair at `witness`, which is of a surface that is not turned, and points at the other. A
-    /// light alone is held whatever was held before; a viewer alone likewise.
+    /// light alone is held whatever was held before; so is a viewer alone.
     #[must_use]
     pub fn jump(session: &mut Session, material: EntryId, witness: &Witness) -> Option<Self> {
         let (held, free) = match (session.hold, witness.wo, witness.wi) {

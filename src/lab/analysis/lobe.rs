@@ -17,7 +17,7 @@ pub enum Hold {
     #[default]
     #[serde(alias = "wi")]
     Light,
-    /// `wo` is held: the lobe is f(wo, wi) over `wi`, whence one viewer gets light.
+    /// `wo` is held: the lobe is f(wo, wi) over `wi`: where the light comes from that one viewer sees.
     #[serde(alias = "wo")]
     Viewer,
 }

@@ -48,7 +48,7 @@ const SHARED_BY: usize = 2;
 /// How far an examination goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
-    /// Of the sets of parameters at their extremes, every how manieth is examined.
+    /// One in so many of the sets of parameters at their extremes is examined.
     pub stride: usize,
     /// Random points over all models, in every precision.
     pub random: u64,

@@ -11,7 +11,7 @@ use bxdf::error::{Error, Result};
 /// The most views of a session: more are too small to be seen.
 pub const MAX_VIEWS: usize = 32;
 
-/// The views of a session: where they stand, and what each shows as far as it is its own affair. There is always one.
+/// The views of a session: where they stand, and the options of each. There is always one.
 #[derive(Clone, Debug)]
 pub struct Views {
     layout: Layout,

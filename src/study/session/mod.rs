@@ -113,7 +113,7 @@ pub struct Session {
     pub show_geometry: bool,
     /// The camera of the 3D view.
     pub camera: OrbitCamera,
-    /// The views: where they stand, and what each shows as far as it is its own affair. In a file they have the keys
+    /// The views: where they stand, and the options of each. In a file they have the keys
     /// `layout` and `views`.
     #[serde(skip)]
     pub views: Views,

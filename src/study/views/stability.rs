@@ -58,7 +58,7 @@ pub struct Options {
     pub plot: Plot,
     /// The id of the axis to the right; the first that a material has instead, where it has no such axis.
     pub x: String,
-    /// The id of the axis upwards; likewise.
+    /// The id of the axis upwards; the first that a material has instead, where it has no such axis.
     pub y: String,
     /// What errors are counted in.
     pub unit: ErrorUnit,

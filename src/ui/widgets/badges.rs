@@ -227,7 +227,7 @@ fn remedy(
         let go = ui
             .add(small("Go there"))
             .on_hover_text("Hold the light where most leaves");
-        // What leaves at most, as far as it is known: then no more leaves than arrives.
+        // An upper limit of what leaves, where there is one: then no more leaves than arrives.
         let largest = 1.0 + energy.worst + energy.error;
         let scaled = material.with_weights_over(largest).ok();
         let scaled = scaled.filter(|_| largest.is_finite());

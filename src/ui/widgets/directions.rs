@@ -53,7 +53,7 @@ fn hold(ui: &mut Ui, session: &mut Session) {
             );
         ui.selectable_value(&mut session.hold, Hold::Viewer, "Viewer")
             .on_hover_text(
-                "Hold the viewer (wo): the lobe shows whence light is seen, f over all wi",
+                "Hold the viewer (wo): the lobe shows where the light that is seen comes from, f over all wi",
             );
     });
 }

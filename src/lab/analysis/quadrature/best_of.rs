@@ -39,7 +39,7 @@ pub fn best_of(
     max_evaluations: usize,
 ) -> Integral {
     let mut trusted = Runner::new(Cubature::new(trusted, true), COST);
-    // What is soon done needs no rivals.
+    // What is nearly done needs no rivals.
     while trusted.course.len() < FIRST_TURNS && !trusted.is_within(tolerance) {
         trusted.take_turn(tolerance);
     }
