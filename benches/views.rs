@@ -1,15 +1,13 @@
 //! How long the pictures of the views take, for every model at its defaults and every named material.
 //!
-//! `cargo bench --bench views` prints for each question the median, the slowest and its limit. Whatever cores there are
+//! `cargo bench --bench views` prints for each query the median, the slowest and its limit. Whatever cores there are
 //! work together, as they do for the window.
 
 use std::time::Instant;
 
 use brdf_explorer::analysis::hemisphere::{Comparison, Projection, Quantity};
 use brdf_explorer::analysis::sphere::Light;
-use brdf_explorer::analysis::{
-    Detail, HeldLobe, Hold, Question, Specimen, hemisphere, slice, sphere,
-};
+use brdf_explorer::analysis::{Detail, HeldLobe, Hold, Query, Subject, hemisphere, slice, sphere};
 use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
 use brdf_explorer::bxdf::math::frame::direction_from_degrees;
@@ -18,10 +16,10 @@ use brdf_explorer::bxdf::models::MODELS;
 /// Answers of which the fastest counts: other work on the machine only makes them slower.
 const ROUNDS: usize = 3;
 
-/// Prints how long `question` takes of all `materials`, in milliseconds.
-fn measure<Q: Question>(
+/// Prints how long `query` takes of all `materials`, in milliseconds.
+fn measure<Q: Query>(
     name: &str,
-    question: &Q,
+    query: &Q,
     detail: Detail,
     limit_ms: Option<f64>,
     materials: &[Material],
@@ -30,13 +28,13 @@ fn measure<Q: Question>(
     for material in materials {
         let surface = material.build();
         let held = direction_from_degrees(50.0, 180.0);
-        let subject = Specimen {
+        let subject = Subject {
             relative_index: material.relative_index(),
-            ..Specimen::of(HeldLobe::new(&*surface, Hold::Light, held))
+            ..Subject::of(HeldLobe::new(&*surface, Hold::Light, held))
         };
         let time = || {
             let begin = Instant::now();
-            let answer = question.answer(&subject, detail, &|| true);
+            let answer = query.answer(&subject, detail, &|| true);
             assert!(answer.is_some(), "it is wanted to the end");
             begin.elapsed().as_secs_f64() * 1e3
         };

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::session::Slot;
+use super::session::PaletteIndex;
 
 /// Light on dark, or dark on light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -60,7 +60,7 @@ pub const fn material_colors(theme: Theme) -> [[u8; 3]; 7] {
 
 /// The colour of the material in this place; sRGB.
 #[must_use]
-pub fn material_color(theme: Theme, slot: Slot) -> [u8; 3] {
+pub fn material_color(theme: Theme, slot: PaletteIndex) -> [u8; 3] {
     let colors = material_colors(theme);
     let index = usize::from(slot.0) % colors.len();
     colors.get(index).copied().unwrap_or_default()

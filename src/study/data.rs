@@ -5,14 +5,14 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::jobs::{Answer, Clock, Jobs, Slot, Watch};
-use super::measured::Measured;
 use super::memo::{Memo, Same};
 use super::session::{EntryId, MaterialEntry, Session, ViewId};
+use super::tradeoff_run::Measured;
 use bxdf::Rotated;
 use bxdf::math::frame;
 use bxdf::{Material, Scatterer};
 use bxdf_lab::analysis::lobe::Arrow;
-use bxdf_lab::analysis::{Detail, HeldLobe, Hold, Question, Subject};
+use bxdf_lab::analysis::{Detail, HeldLobe, Hold, Query, Subject};
 use bxdf_lab::contract::{LawReport, check_physical};
 
 /// Seconds after which it is said that something is being computed.
@@ -72,7 +72,7 @@ struct Asked<Q> {
     against: Option<Same<Surface>>,
     /// The direction held; where it does not matter, always the same one.
     held: Held,
-    question: Q,
+    query: Q,
 }
 
 /// The answers of one material.
@@ -81,13 +81,13 @@ struct Answers {
     surface: Memo<(Material, f64), Surface>,
     arrows: Memo<(Same<Surface>, Held), Vec<Arrow>>,
     checks: Slot<Material, Vec<LawReport>>,
-    /// The slots of questions, by who asks, the type of the question and its place.
+    /// The slots of queries, by who asks, the type of the query and its place.
     slots: HashMap<(Option<ViewId>, TypeId, usize), Kept>,
 }
 
-/// What is kept of a question.
+/// What is kept of a query.
 struct Kept {
-    /// An `Asking<Q>` of some question `Q`.
+    /// An `Asking<Q>` of some query `Q`.
     asking: Box<dyn Any>,
     /// The frame in which it was asked last.
     frame: u64,
@@ -95,14 +95,14 @@ struct Kept {
     is_following: bool,
 }
 
-/// A question, and the slot of its answers.
-struct Asking<Q: Question> {
+/// A query, and the slot of its answers.
+struct Asking<Q: Query> {
     asked: Option<Asked<Q>>,
     slot: Slot<Asked<Q>, Q::Answer>,
 }
 
 impl Kept {
-    fn new<Q: Question>() -> Self {
+    fn new<Q: Query>() -> Self {
         let asking = Asking::<Q> {
             asked: None,
             slot: Slot::default(),
@@ -116,13 +116,13 @@ impl Kept {
 }
 
 impl Answers {
-    fn ask<Q: Question>(
+    fn ask<Q: Query>(
         &mut self,
         jobs: &mut Jobs,
         (asker, frame): (Option<ViewId>, u64),
         asked: &Asked<Q>,
     ) -> Answer<Q::Answer> {
-        let place = (asker, TypeId::of::<Q>(), asked.question.place());
+        let place = (asker, TypeId::of::<Q>(), asked.query.place());
         let mut kept = self.slots.remove(&place).unwrap_or_else(Kept::new::<Q>);
         // Where another view has asked the same in this frame, it is answered once.
         let leader = self.slots.iter().find_map(|(other, kept)| {
@@ -147,7 +147,7 @@ impl Answers {
     }
 }
 
-impl<Q: Question> Asking<Q> {
+impl<Q: Query> Asking<Q> {
     fn answer(&mut self, jobs: &mut Jobs, asked: &Asked<Q>) -> Answer<Q::Answer> {
         let inputs = asked.clone();
         let compute = move |detail, watch: &Watch<'_>| {
@@ -157,15 +157,13 @@ impl<Q: Question> Asking<Q> {
                 relative_index: inputs.surface.0.relative_index,
                 against: inputs.against.as_ref().map(|against| lobe(&against.0)),
             };
-            inputs
-                .question
-                .answer(&subject, detail, &|| !watch.is_stale())
+            inputs.query.answer(&subject, detail, &|| !watch.is_stale())
         };
         self.slot.ask(jobs, asked, Q::FIRST, compute)
     }
 }
 
-/// How many frames the answer to a question outlives the view that asked: a view hidden for longer asks anew.
+/// How many frames the answer to a query outlives the view that asked: a view hidden for longer asks anew.
 const FRAMES_KEPT: u64 = 3;
 
 /// The data of each view and material, and how long the last update took.
@@ -269,23 +267,23 @@ impl Data {
         self.asker = asker;
     }
 
-    /// The answer to `question` about a material, or to the last one of its kind; an empty one before the first.
-    pub fn ask<Q: Question>(
+    /// The answer to `query` about a material, or to the last one of its kind; an empty one before the first.
+    pub fn ask<Q: Query>(
         &mut self,
         session: &Session,
         entry: &MaterialEntry,
-        question: Q,
+        query: Q,
     ) -> Arc<Q::Answer> {
-        self.compare(session, entry, None, question)
+        self.compare(session, entry, None, query)
     }
 
-    /// [`Self::ask`], of a question that compares the material with another one.
-    pub fn compare<Q: Question>(
+    /// [`Self::ask`], of a query that compares the material with another one.
+    pub fn compare<Q: Query>(
         &mut self,
         session: &Session,
         entry: &MaterialEntry,
         against: Option<&MaterialEntry>,
-        question: Q,
+        query: Q,
     ) -> Arc<Q::Answer> {
         let held = if Q::USES_HELD {
             Held::of(session)
@@ -296,7 +294,7 @@ impl Data {
             surface: Same(self.surface(session, entry)),
             against: against.map(|against| Same(self.surface(session, against))),
             held,
-            question,
+            query,
         };
         let answers = self.answers.entry(entry.id()).or_default();
         let answer = answers.ask(&mut self.jobs, (self.asker, self.frame), &asked);

@@ -7,7 +7,7 @@ use std::task::{Context, Poll, Waker};
 
 use rfd::{AsyncFileDialog, FileHandle};
 
-use bxdf_study::store::{Answer, Dialogs, Question};
+use bxdf_study::store::{Answer, Dialogs, FileDialog};
 
 /// The files of sessions and materials: what they are called, and what their names end in.
 const SESSIONS: (&str, &[&str]) = ("Session or material", &["toml", "TOML"]);
@@ -17,52 +17,52 @@ type Pending = Pin<Box<dyn Future<Output = Option<FileHandle>>>>;
 /// The dialogs of this machine.
 #[derive(Default)]
 pub struct Native {
-    open: Option<(Question, Pending)>,
+    open: Option<(FileDialog, Pending)>,
 }
 
 impl Dialogs for Native {
-    fn ask(&mut self, question: Question) {
+    fn ask(&mut self, wanted: FileDialog) {
         if self.open.is_some() {
             return;
         }
         listener::listen();
         let dialog = AsyncFileDialog::new();
-        let answer: Pending = match &question {
-            Question::Open => {
+        let answer: Pending = match &wanted {
+            FileDialog::Open => {
                 let dialog = dialog.add_filter(SESSIONS.0, SESSIONS.1);
                 Box::pin(dialog.add_filter("Any file", &["*"]).pick_file())
             }
-            Question::Save(name) => {
+            FileDialog::Save(name) => {
                 let dialog = dialog.add_filter(SESSIONS.0, SESSIONS.1);
                 Box::pin(dialog.set_file_name(name).save_file())
             }
-            Question::Export(name) => {
+            FileDialog::Export(name) => {
                 let extension = name.rsplit('.').next().unwrap_or_default();
                 let dialog = dialog.add_filter(extension.to_uppercase(), &[extension]);
                 Box::pin(dialog.set_file_name(name).save_file())
             }
         };
-        self.open = Some((question, answer));
+        self.open = Some((wanted, answer));
     }
 
     fn is_open(&self) -> bool {
         self.open.is_some()
     }
 
-    fn answer(&mut self) -> Option<(Question, Answer)> {
+    fn answer(&mut self) -> Option<(FileDialog, Answer)> {
         let (_, answer) = self.open.as_mut()?;
         // The window asks again in a moment: nobody has to be woken.
         let mut context = Context::from_waker(Waker::noop());
         let Poll::Ready(file) = answer.as_mut().poll(&mut context) else {
             return None;
         };
-        let (question, _) = self.open.take()?;
+        let (dialog, _) = self.open.take()?;
         let answer = match file {
             Some(file) => Answer::File(file.path().to_owned()),
             None if listener::take_failure() => Answer::NoDialog,
             None => Answer::Dismissed,
         };
-        Some((question, answer))
+        Some((dialog, answer))
     }
 }
 
@@ -142,16 +142,16 @@ mod tests {
             return;
         }
         let mut dialogs = Native::default();
-        let questions = [Question::Open, Question::Save("a.toml".to_owned())];
-        for question in questions {
-            dialogs.ask(question.clone());
+        let questions = [FileDialog::Open, FileDialog::Save("a.toml".to_owned())];
+        for dialog in questions {
+            dialogs.ask(dialog.clone());
             let answer = loop {
                 if let Some(answer) = dialogs.answer() {
                     break answer;
                 }
                 std::thread::sleep(Duration::from_millis(5));
             };
-            assert_eq!(answer, (question, Answer::NoDialog));
+            assert_eq!(answer, (dialog, Answer::NoDialog));
         }
     }
 }

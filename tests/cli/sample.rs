@@ -137,7 +137,7 @@ fn sample_refuses_bad_numbers_and_leaves_no_file() {
 #[test]
 fn a_seed_gives_the_samples_of_the_view() {
     use brdf_explorer::analysis::sampling::{Part, Request};
-    use brdf_explorer::analysis::{Detail, HeldLobe, Hold, Question, Subject};
+    use brdf_explorer::analysis::{Detail, HeldLobe, Hold, Query, Subject};
     use brdf_explorer::bxdf::material::{file, library};
     use brdf_explorer::bxdf::math::frame::direction_from_degrees;
 

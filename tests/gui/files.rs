@@ -7,7 +7,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use brdf_explorer::study::session::{MaterialEntry, Session};
-use brdf_explorer::study::store::{Answer, Dialogs, Disk, Files, Question, Store};
+use brdf_explorer::study::store::{Answer, Dialogs, Disk, FileDialog, Files, Store};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::export;
 use egui::{Event, Key, Modifiers, OutputCommand, ThemePreference};
@@ -19,27 +19,27 @@ use super::{Folder, session, window, window_of};
 /// What is asked, and what is answered, in this order.
 #[derive(Default)]
 pub(super) struct Script {
-    pub(super) asked: Vec<Question>,
+    pub(super) asked: Vec<FileDialog>,
     pub(super) answers: Vec<Answer>,
 }
 
 /// Dialogs that answer from a script.
 struct Scripted {
     script: Rc<RefCell<Script>>,
-    open: Option<Question>,
+    open: Option<FileDialog>,
 }
 
 impl Dialogs for Scripted {
-    fn ask(&mut self, question: Question) {
-        self.script.borrow_mut().asked.push(question.clone());
-        self.open = Some(question);
+    fn ask(&mut self, dialog: FileDialog) {
+        self.script.borrow_mut().asked.push(dialog.clone());
+        self.open = Some(dialog);
     }
 
     fn is_open(&self) -> bool {
         self.open.is_some()
     }
 
-    fn answer(&mut self) -> Option<(Question, Answer)> {
+    fn answer(&mut self) -> Option<(FileDialog, Answer)> {
         let answer = self.script.borrow_mut().answers.pop()?;
         Some((self.open.take()?, answer))
     }
@@ -117,7 +117,7 @@ fn a_session_is_saved_and_opened() {
     let mut harness = window_of(&["gold", "phong"]);
     let script = work_in(&mut harness, &folder);
     file_menu(&mut harness, &["Save"]);
-    let asked = Question::Save("session.toml".to_owned());
+    let asked = FileDialog::Save("session.toml".to_owned());
     assert_eq!(script.borrow().asked, [asked]);
     script.borrow_mut().answers.push(Answer::File(path.clone()));
     harness.run_steps(3);
@@ -329,7 +329,7 @@ fn a_view_is_exported_from_its_menu() {
     export(&mut harness, &script, "Numbers (CSV)", &path);
     assert_eq!(
         script.borrow().asked,
-        [Question::Export("polar.csv".to_owned())]
+        [FileDialog::Export("polar.csv".to_owned())]
     );
     let table = fs::read_to_string(&path).unwrap();
     assert!(table.starts_with("material,angle (degrees)") && table.contains("\nPhong,"));

@@ -84,10 +84,12 @@ macro_rules! dispatched {
 impl<R: Real> Normals<R> for Distribution<R> {
     const VECTORISES: bool = false;
 
+    #[inline(always)]
     fn d(&self, wh: Vec3<R>) -> R {
         dispatched!(self.d(wh))
     }
 
+    #[inline(always)]
     fn masked(&self, w: Vec3<R>) -> Masked<R> {
         dispatched!(self.masked(w))
     }
@@ -100,18 +102,22 @@ impl<R: Real> Normals<R> for Distribution<R> {
         dispatched!(self.sample_visible_normal(wo, u))
     }
 
+    #[inline(always)]
     fn lobe(&self, pair: &Pair<R>, masking: Masking) -> R {
         dispatched!(self.lobe(pair, masking))
     }
 
+    #[inline(always)]
     fn reflection_pdf(&self, pair: &Pair<R>) -> R {
         dispatched!(self.reflection_pdf(pair))
     }
 
+    #[inline(always)]
     fn stretched_lobe(&self, pair: &Pair<R>, masking: Masking, factor: R) -> R {
         dispatched!(self.stretched_lobe(pair, masking, factor))
     }
 
+    #[inline(always)]
     fn stretched_pdf(&self, pair: &Pair<R>, factor: R) -> R {
         dispatched!(self.stretched_pdf(pair, factor))
     }

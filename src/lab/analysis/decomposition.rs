@@ -5,7 +5,7 @@ use super::deltas::{self, Stem};
 use super::lobe::{HeldLobe, off_horizon};
 use super::polar::{UNIFORM_STEP_DEG, direction, seed_angles};
 use super::refine::{MIDDLE_AND_BESIDE, first_places, is_on_chord, peaks, refine};
-use super::{Detail, IsWanted, Question, RadialScale, Subject};
+use super::{Detail, IsWanted, Query, RadialScale, Subject};
 use bxdf::{Lobe, Microfacet};
 
 /// What a decomposition shows: curves over the free direction's signed angle in a section.
@@ -17,7 +17,7 @@ pub struct Request {
     pub with_cosine: bool,
 }
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Decomposition;
 
     fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Decomposition> {

@@ -12,7 +12,7 @@ pub mod lobe;
 pub mod lobe3d;
 pub mod polar;
 pub mod quadrature;
-pub mod question;
+pub mod query;
 pub mod raster;
 mod refine;
 pub mod reflectance;
@@ -25,7 +25,7 @@ pub mod statistics;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
-pub use question::{IsWanted, Question, Subject};
+pub use query::{IsWanted, Query, Subject};
 pub use raster::Raster;
 pub use scale::{Channel, RadialScale};
 

@@ -8,7 +8,7 @@ use super::deltas::{self, Stem};
 use super::lobe::HeldLobe;
 use super::refine::{CHORD_TOLERANCE, first_places, refine};
 use super::scale::RadialScale;
-use super::{Detail, IsWanted, Question, Subject};
+use super::{Detail, IsWanted, Query, Subject};
 
 pub use super::section::{direction, signed_angle};
 
@@ -31,7 +31,7 @@ impl Request {
     }
 }
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Section;
 
     fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Section> {

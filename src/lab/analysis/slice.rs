@@ -10,7 +10,7 @@ use super::deltas;
 use super::half_difference::{Spherical, half_difference, pair};
 use super::lobe::pair_values;
 use super::raster::Raster;
-use super::{Detail, IsWanted, Question, Subject};
+use super::{Detail, IsWanted, Query, Subject};
 
 /// What a slice shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Slice {
 /// A coarse answer has one pixel along a side where a full one has this many.
 const COARSE_PIXELS: usize = 3;
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Slice;
 
     const USES_HELD: bool = false;

@@ -31,7 +31,7 @@ pub use extreme_kind::ExtremeKind;
 pub use extreme_tally::{Extreme, Worst};
 pub(crate) use samples::{is_good, is_good_number, is_unit};
 
-use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
+use crate::analysis::{Detail, IsWanted, Query, Subject as Asked};
 use crate::specimen::Specimen;
 use bxdf::{Component, Law, Material, ModelSpec};
 
@@ -137,14 +137,14 @@ pub fn examine_material(material: &Material) -> Vec<Extreme> {
     examine_while(material, &|| true).unwrap_or_default()
 }
 
-/// What [`examine_material`] finds, asked as a question.
+/// What [`examine_material`] finds, asked as a query.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranking {
     /// The material.
     pub material: Material,
 }
 
-impl Question for Ranking {
+impl Query for Ranking {
     type Answer = Vec<Extreme>;
 
     const USES_HELD: bool = false;

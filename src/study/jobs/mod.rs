@@ -1,8 +1,8 @@
 //! Work off the UI thread: a pool of workers that never makes the window wait.
 //!
-//! A [`Slot`] holds the last answer to one question and is asked again whenever its inputs change. What was asked last
-//! is all that counts: a slot waits in the queue at most once, and a worker that comes to it answers the newest question.
-//! It answers coarsely first; all coarse answers go before all full ones, and among equals the newest question first.
+//! A [`Slot`] holds the last answer to one query and is asked again whenever its inputs change. What was asked last
+//! is all that counts: a slot waits in the queue at most once, and a worker that comes to it answers the newest query.
+//! It answers coarsely first; all coarse answers go before all full ones, and among equals the newest query first.
 //! A full answer that nobody waits for any more is given up while it is being computed.
 //!
 //! Short work is done at once, in the frame that asks: a slot that took less than a few milliseconds last time, as long as

@@ -1,4 +1,4 @@
-//! A question that is asked again whenever its inputs change, and the last answer to it.
+//! A query that is asked again whenever its inputs change, and the last answer to it.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
@@ -13,17 +13,17 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Whether a newer question has been asked since.
+    /// Whether a newer query has been asked since.
     #[must_use]
     pub fn is_stale(&self) -> bool {
         self.newest.load(Ordering::Relaxed) != self.number
     }
 }
 
-/// What answers a question: the answer, or nothing where it was given up.
+/// What answers a query: the answer, or nothing where it was given up.
 type Compute<V> = dyn Fn(Detail, &Watch<'_>) -> Option<V> + Send + Sync;
 
-/// The last answer to a question, and the question that is being answered.
+/// The last answer to a query, and the query that is being answered.
 pub struct Slot<K, V> {
     shown: Option<Shown<K, V>>,
     asked: Arc<Asked<K, V>>,
@@ -39,13 +39,13 @@ struct Shown<K, V> {
 
 /// What a slot shares with the workers.
 struct Asked<K, V> {
-    /// The number of the newest question; see [`Watch`].
+    /// The number of the newest query; see [`Watch`].
     newest: AtomicU64,
     state: Mutex<AskedState<K, V>>,
 }
 
 struct AskedState<K, V> {
-    question: Option<Question<K, V>>,
+    query: Option<Query<K, V>>,
     answer: Option<Shown<K, V>>,
     /// Whether the slot waits in the queue or a worker is at it.
     is_queued: bool,
@@ -53,7 +53,7 @@ struct AskedState<K, V> {
     took: Option<f64>,
 }
 
-struct Question<K, V> {
+struct Query<K, V> {
     number: u64,
     key: K,
     first: Detail,
@@ -68,7 +68,7 @@ impl<K, V> Default for Slot<K, V> {
             asked: Arc::new(Asked {
                 newest: AtomicU64::new(0),
                 state: Mutex::new(AskedState {
-                    question: None,
+                    query: None,
                     answer: None,
                     is_queued: false,
                     took: None,
@@ -82,9 +82,9 @@ impl<K, V> Default for Slot<K, V> {
 /// An answer, and what is to be said of it.
 #[derive(Debug)]
 pub struct Answer<V> {
-    /// The answer; to an older question, where the newest one has none yet. `None` before the first.
+    /// The answer; to an older query, where the newest one has none yet. `None` before the first.
     pub value: Option<Arc<V>>,
-    /// In what detail it answers the question asked; `None` for the answer to an older one, and for none.
+    /// In what detail it answers the query asked; `None` for the answer to an older one, and for none.
     pub detail: Option<Detail>,
 }
 
@@ -118,21 +118,21 @@ where
         self.collect();
         let is_full = |shown: &Shown<K, V>| shown.key == *key && shown.detail == Detail::Full;
         let mut state = locked(&self.asked.state);
-        let asked = state.question.as_ref().map(|asked| asked.key == *key);
+        let asked = state.query.as_ref().map(|asked| asked.key == *key);
         if let Some(shown) = self.shown.as_mut().filter(|shown| is_full(shown)) {
             // The inputs are what they were: what was asked in between is of no interest any more.
             if asked == Some(false) {
-                state.question = None;
+                state.query = None;
                 shown.number = self.asked.newest.fetch_add(1, Ordering::Relaxed) + 1;
             }
         } else if asked != Some(true) {
             let number = self.asked.newest.fetch_add(1, Ordering::Relaxed) + 1;
             if jobs.has_time_for(state.took) {
-                state.question = None;
+                state.query = None;
                 drop(state);
                 self.answer_now(jobs, number, key.clone(), &compute);
             } else {
-                state.question = Some(Question {
+                state.query = Some(Query {
                     number,
                     key: key.clone(),
                     first,
@@ -151,7 +151,7 @@ where
     /// no interest any more.
     pub fn follow(&mut self, other: &Self, key: &K) -> Answer<V> {
         let number = self.asked.newest.fetch_add(1, Ordering::Relaxed) + 1;
-        locked(&self.asked.state).question = None;
+        locked(&self.asked.state).query = None;
         if let Some(shown) = &other.shown {
             self.show(Shown {
                 number,
@@ -231,18 +231,12 @@ where
     fn work(&self, turn: Detail) -> Option<Detail> {
         let (number, key, first, compute, clock) = {
             let mut state = locked(&self.state);
-            let Some(question) = &state.question else {
+            let Some(query) = &state.query else {
                 state.is_queued = false;
                 return None;
             };
-            let (key, compute) = (question.key.clone(), Arc::clone(&question.compute));
-            (
-                question.number,
-                key,
-                question.first,
-                compute,
-                question.clock,
-            )
+            let (key, compute) = (query.key.clone(), Arc::clone(&query.compute));
+            (query.number, key, query.first, compute, query.clock)
         };
         let detail = turn.max(first);
         // A first answer is always finished: else nothing new would be shown while the inputs keep changing.
@@ -266,13 +260,13 @@ where
                 detail,
             });
         }
-        let next = match &state.question {
-            Some(question) if question.number != number => Some(Detail::Coarse),
+        let next = match &state.query {
+            Some(query) if query.number != number => Some(Detail::Coarse),
             Some(_) if detail == Detail::Coarse => Some(Detail::Full),
             _ => None,
         };
         if next.is_none() {
-            state.question = None;
+            state.query = None;
             state.is_queued = false;
         }
         next

@@ -8,13 +8,13 @@ pub struct EntryId(pub(super) u32);
 
 /// The place in the palette of materials: a colour and a line style that it keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Slot(pub u8);
+pub struct PaletteIndex(pub u8);
 
 /// A material of the session, and how it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialEntry {
     pub(super) id: EntryId,
-    pub(super) slot: Slot,
+    pub(super) slot: PaletteIndex,
     /// The name the user gave it; empty for that of the material.
     pub name: String,
     /// The material.
@@ -26,7 +26,7 @@ pub struct MaterialEntry {
 }
 
 impl MaterialEntry {
-    pub(super) fn new(id: EntryId, slot: Slot, material: Material) -> Self {
+    pub(super) fn new(id: EntryId, slot: PaletteIndex, material: Material) -> Self {
         Self {
             id,
             slot,
@@ -45,7 +45,7 @@ impl MaterialEntry {
 
     /// Its colour and line style.
     #[must_use]
-    pub fn slot(&self) -> Slot {
+    pub fn slot(&self) -> PaletteIndex {
         self.slot
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::entry::{EntryId, MaterialEntry, Slot};
+use super::entry::{EntryId, MaterialEntry, PaletteIndex};
 use bxdf::Material;
 use bxdf::error::{Error, Result};
 
@@ -24,7 +24,7 @@ impl Materials {
     pub fn of(material: Material) -> Self {
         let id = EntryId(1);
         Self {
-            entries: vec![MaterialEntry::new(id, Slot(0), material)],
+            entries: vec![MaterialEntry::new(id, PaletteIndex(0), material)],
             selected: id,
             solo: None,
             reference: None,
@@ -230,12 +230,12 @@ impl Materials {
     }
 
     /// The first place of the palette that none has.
-    pub(super) fn free_slot(&self) -> Slot {
-        let is_free = |slot: &Slot| self.iter().all(|entry| entry.slot != *slot);
+    pub(super) fn free_slot(&self) -> PaletteIndex {
+        let is_free = |slot: &PaletteIndex| self.iter().all(|entry| entry.slot != *slot);
         (0..=u8::MAX)
-            .map(Slot)
+            .map(PaletteIndex)
             .find(is_free)
-            .unwrap_or(Slot(u8::MAX))
+            .unwrap_or(PaletteIndex(u8::MAX))
     }
 }
 
@@ -272,10 +272,10 @@ mod tests {
         assert_eq!(ids(&materials), [1, 2, 3]);
         materials.move_to(EntryId(3), 0);
         assert_eq!(ids(&materials), [3, 1, 2]);
-        assert_eq!(materials.get(EntryId(3)).unwrap().slot(), Slot(2));
+        assert_eq!(materials.get(EntryId(3)).unwrap().slot(), PaletteIndex(2));
         materials.remove(EntryId(1));
         let added = materials.add("ward".parse().unwrap()).unwrap();
-        assert_eq!(materials.get(added).unwrap().slot(), Slot(0));
+        assert_eq!(materials.get(added).unwrap().slot(), PaletteIndex(0));
         assert_eq!(materials.selected().id(), added);
     }
 

@@ -6,7 +6,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
-use super::entry::{EntryId, MaterialEntry, Slot, has_equal_widths};
+use super::entry::{EntryId, MaterialEntry, PaletteIndex, has_equal_widths};
 use super::materials::{MAX_MATERIALS, Materials, limit};
 use bxdf::Material;
 use bxdf::error::Error;
@@ -133,8 +133,11 @@ fn restored(all: Vec<Stored>) -> bxdf::error::Result<Materials> {
             (0..=u8::MAX).find(|slot| is_free_slot(slot) && !claimed_slots.contains(slot));
         let id = stored.id.filter(is_free_id).or(unclaimed_id).unwrap_or(0);
         let slot = stored.slot.filter(is_free_slot).or(unclaimed_slot);
-        let mut entry =
-            MaterialEntry::new(EntryId(id), Slot(slot.unwrap_or(u8::MAX)), stored.material);
+        let mut entry = MaterialEntry::new(
+            EntryId(id),
+            PaletteIndex(slot.unwrap_or(u8::MAX)),
+            stored.material,
+        );
         entry.name = stored.name;
         entry.is_visible = !stored.hidden;
         entry.has_linked_widths = stored.linked_widths.unwrap_or(entry.has_linked_widths);
@@ -194,7 +197,7 @@ mod tests {
         let ids: Vec<u32> = materials.iter().map(|entry| entry.id().0).collect();
         assert_eq!(ids, [2, 1, 3], "no two have the same id");
         assert_eq!(materials.selected().title(), "Wall");
-        assert_eq!(materials.selected().slot(), Slot(7));
+        assert_eq!(materials.selected().slot(), PaletteIndex(7));
         assert!(materials.shown().map(MaterialEntry::id).eq([EntryId(3)]));
         assert!(!materials.get(EntryId(3)).unwrap().has_linked_widths);
         assert_eq!(materials.reference().id(), EntryId(3));

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Question {
+pub enum FileDialog {
     /// A file to open.
     Open,
     /// A file to save to; this name is proposed.
@@ -13,7 +13,7 @@ pub enum Question {
     Export(String),
 }
 
-/// What becomes of a question.
+/// What becomes of a dialog.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// This file is meant.
@@ -24,14 +24,14 @@ pub enum Answer {
     NoDialog,
 }
 
-/// Asks for files, one question at a time, without waiting for the answer.
+/// Asks for files, one dialog at a time, without waiting for the answer.
 pub trait Dialogs {
-    /// Asks, unless another question is open.
-    fn ask(&mut self, question: Question);
+    /// Asks, unless another dialog is open.
+    fn ask(&mut self, dialog: FileDialog);
 
-    /// Whether a question is open.
+    /// Whether a dialog is open.
     fn is_open(&self) -> bool;
 
-    /// The answer, once it is there, with its question.
-    fn answer(&mut self) -> Option<(Question, Answer)>;
+    /// The answer, once it is there, with its dialog.
+    fn answer(&mut self) -> Option<(FileDialog, Answer)>;
 }

@@ -19,7 +19,7 @@ mod files;
 mod own;
 mod place;
 
-pub use dialogs::{Answer, Dialogs, Question};
+pub use dialogs::{Answer, Dialogs, FileDialog};
 #[cfg(not(target_arch = "wasm32"))]
 pub use files::Disk;
 pub use files::{Files, Found};

@@ -8,7 +8,7 @@ use egui::Context;
 use super::App;
 use crate::widgets::path_field::Outcome;
 use bxdf::error::Result;
-use bxdf_study::store::{Answer, Question};
+use bxdf_study::store::{Answer, FileDialog};
 
 /// How often an open dialog is looked at, in seconds.
 const POLL: f64 = 0.1;
@@ -21,14 +21,14 @@ impl App {
             return;
         }
         match files.asking.dialogs.answer() {
-            Some((question, Answer::File(path))) => {
-                let done = self.do_with(&question, &path, ctx);
+            Some((dialog, Answer::File(path))) => {
+                let done = self.do_with(&dialog, &path, ctx);
                 self.notice.report(done);
             }
             Some((_, Answer::Dismissed)) => {}
-            Some((question, Answer::NoDialog)) => {
+            Some((dialog, Answer::NoDialog)) => {
                 files.asking.has_none = true;
-                files.ask_in_field(question);
+                files.ask_in_field(dialog);
             }
             None => ctx.request_repaint_after(Duration::from_secs_f64(POLL)),
         }
@@ -45,8 +45,8 @@ impl App {
             Outcome::Open => true,
             Outcome::Dismissed => false,
             Outcome::Chosen(path) => {
-                let question = field.question().clone();
-                match self.do_with(&question, &path, ctx) {
+                let dialog = field.dialog().clone();
+                match self.do_with(&dialog, &path, ctx) {
                     Ok(()) => false,
                     Err(error) => {
                         field.refuse(error.to_string());
@@ -63,11 +63,11 @@ impl App {
     }
 
     /// Does what the file was asked for.
-    fn do_with(&mut self, question: &Question, path: &Path, ctx: &Context) -> Result<()> {
-        match question {
-            Question::Open => self.open(path, ctx),
-            Question::Save(_) => self.save_to(path)?,
-            Question::Export(_) => self.export_to(path, ctx),
+    fn do_with(&mut self, dialog: &FileDialog, path: &Path, ctx: &Context) -> Result<()> {
+        match dialog {
+            FileDialog::Open => self.open(path, ctx),
+            FileDialog::Save(_) => self.save_to(path)?,
+            FileDialog::Export(_) => self.export_to(path, ctx),
         }
         Ok(())
     }

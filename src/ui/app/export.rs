@@ -14,7 +14,7 @@ use bxdf::error::{Error, Result};
 use bxdf_study::export::{FORMATS, Format};
 use bxdf_study::platform;
 use bxdf_study::session::ViewId;
-use bxdf_study::store::Question;
+use bxdf_study::store::FileDialog;
 
 /// The size of an exported view, in points, and its pixels per point: legible in print.
 const SIZE: [u32; 2] = [960, 720];
@@ -40,7 +40,7 @@ impl App {
             Format::Png | Format::Svg | Format::Csv => self.session.views.file_name(view),
         };
         // A dialog that is open already keeps what it was opened for.
-        if files.ask(Question::Export(format!("{name}.{extension}"))) {
+        if files.ask(FileDialog::Export(format!("{name}.{extension}"))) {
             self.exports.asked = Some((view, format));
         }
     }

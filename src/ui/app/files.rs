@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::picture::Maker;
 use crate::widgets::path_field::PathField;
-use bxdf_study::store::{Dialogs, Question, Store};
+use bxdf_study::store::{Dialogs, FileDialog, Store};
 
 /// The files that the application works on.
 pub struct Files {
@@ -16,12 +16,12 @@ pub struct Files {
     pub(super) file: Option<PathBuf>,
 }
 
-/// What asks for files, one question at a time.
+/// What asks for files, one dialog at a time.
 pub struct Asking {
     pub(super) dialogs: Box<dyn Dialogs>,
     /// Whether it turned out that the system has no dialogs.
     pub(super) has_none: bool,
-    /// The question that is asked in their place.
+    /// The dialog that is asked in their place.
     pub(super) field: Option<PathField>,
 }
 
@@ -38,20 +38,20 @@ impl Asking {
 
 impl Files {
     /// Asks for a file, unless something is being asked for. Returns whether it does.
-    pub(super) fn ask(&mut self, question: Question) -> bool {
+    pub(super) fn ask(&mut self, dialog: FileDialog) -> bool {
         if self.asking.dialogs.is_open() || self.asking.field.is_some() {
             return false;
         }
         if self.asking.has_none {
-            self.ask_in_field(question);
+            self.ask_in_field(dialog);
         } else {
-            self.asking.dialogs.ask(question);
+            self.asking.dialogs.ask(dialog);
         }
         true
     }
 
-    pub(super) fn ask_in_field(&mut self, question: Question) {
+    pub(super) fn ask_in_field(&mut self, dialog: FileDialog) {
         let folder = self.store.working_folder();
-        self.asking.field = Some(PathField::new(question, folder));
+        self.asking.field = Some(PathField::new(dialog, folder));
     }
 }

@@ -14,7 +14,7 @@ use bxdf::error::{Error, Result};
 use bxdf_study::colors;
 use bxdf_study::files;
 use bxdf_study::session::{self, Opened};
-use bxdf_study::store::{Dialogs, News, Question, Store};
+use bxdf_study::store::{Dialogs, FileDialog, News, Store};
 
 /// The name proposed for a new file.
 const NEW_NAME: &str = "session.toml";
@@ -81,7 +81,7 @@ impl App {
     /// Asks for a file to open.
     pub fn ask_open(&mut self) {
         if let Some(files) = &mut self.files {
-            files.ask(Question::Open);
+            files.ask(FileDialog::Open);
         }
     }
 
@@ -90,7 +90,7 @@ impl App {
         if let Some(files) = &mut self.files {
             let name = files.file.as_ref().and_then(|path| path.file_name());
             let name = name.map_or(NEW_NAME.into(), |name| name.to_string_lossy().into_owned());
-            files.ask(Question::Save(name));
+            files.ask(FileDialog::Save(name));
         }
     }
 

@@ -5,7 +5,7 @@ use egui::{FontFamily, FontId, TextStyle, Theme, Vec2};
 use super::scene3d::Rgba;
 use bxdf_lab::analysis::Channel;
 use bxdf_study::colors;
-use bxdf_study::session::Slot;
+use bxdf_study::session::PaletteIndex;
 pub use maps::*;
 pub use palette::Palette;
 
@@ -132,7 +132,7 @@ impl Dash {
     /// The line of a material. Neighbours in the palette differ in it, and with seven colours no two of the first
     /// twenty-one materials have both in common.
     #[must_use]
-    pub fn of(slot: Slot) -> Self {
+    pub fn of(slot: PaletteIndex) -> Self {
         match slot.0 % 3 {
             0 => Self::Solid,
             1 => Self::Dashed,
@@ -142,7 +142,7 @@ impl Dash {
 
     /// The line of a curve: that of its material, or of the channel where these are told apart.
     #[must_use]
-    pub fn of_channel(channel: Channel, slot: Slot) -> Self {
+    pub fn of_channel(channel: Channel, slot: PaletteIndex) -> Self {
         match channel {
             Channel::Luminance => Self::of(slot),
             Channel::Red => Self::Solid,
@@ -193,10 +193,15 @@ mod tests {
     #[test]
     fn twenty_one_materials_are_told_apart() {
         for palette in [Theme::Dark, Theme::Light].map(Palette::of) {
-            let look = |slot: u8| (palette.material(Slot(slot)), Dash::of(Slot(slot)));
+            let look = |slot: u8| {
+                (
+                    palette.material(PaletteIndex(slot)),
+                    Dash::of(PaletteIndex(slot)),
+                )
+            };
             for a in 0..21 {
                 assert!((0..a).all(|b| look(a) != look(b)), "{a}");
-                assert_ne!(Dash::of(Slot(a)), Dash::of(Slot(a + 1)));
+                assert_ne!(Dash::of(PaletteIndex(a)), Dash::of(PaletteIndex(a + 1)));
             }
         }
     }

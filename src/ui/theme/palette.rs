@@ -6,7 +6,7 @@ use super::Rgba;
 use bxdf::Category;
 use bxdf_lab::analysis::{Channel, Hold};
 use bxdf_study::colors::{self, material_colors, okabe_ito};
-use bxdf_study::session::Slot;
+use bxdf_study::session::PaletteIndex;
 
 /// The colours of one theme.
 #[derive(Clone, Copy, Debug)]
@@ -168,7 +168,7 @@ impl Palette {
 
     /// The colour of a material.
     #[must_use]
-    pub fn material(&self, slot: Slot) -> Color32 {
+    pub fn material(&self, slot: PaletteIndex) -> Color32 {
         self.kind(usize::from(slot.0))
     }
 
@@ -186,7 +186,7 @@ impl Palette {
 
     /// The colour of a channel's curve; the luminance has that of its material.
     #[must_use]
-    pub fn channel(&self, channel: Channel, slot: Slot) -> Color32 {
+    pub fn channel(&self, channel: Channel, slot: PaletteIndex) -> Color32 {
         match channel {
             Channel::Luminance => self.material(slot),
             Channel::Red => self.red,

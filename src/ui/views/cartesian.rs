@@ -5,7 +5,7 @@ use egui::{Align2, Ui};
 use super::context::ViewContext;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{Axis, Chart, Series, Shown};
-use crate::widgets::legend::{self, Sample};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{choice, draw};
 use bxdf::Side;
 use bxdf_lab::analysis::cartesian::{self, Abscissa, Curve};
@@ -19,7 +19,7 @@ use bxdf_study::views::cartesian::{FIXED_ANGLE, Options};
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     controls(ui, cx.session, cx.options);
-    legend::show(ui, Sample::Line, cx.session, cx.palette);
+    legend::show(ui, Swatch::Line, cx.session, cx.palette);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

@@ -7,7 +7,7 @@ use egui::{Color32, Rect, Ui, UiBuilder};
 use super::context::ViewContext;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
-use crate::widgets::legend::{self, Sample};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{choice, draw, pictures};
 use bxdf::{Category, Lobe};
 use bxdf_lab::analysis::decomposition::{Decomposition, Factors};
@@ -97,7 +97,7 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 
 /// One chart of the factors of all materials.
 fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Sample::Patch, cx.session, cx.palette);
+    legend::show(ui, Swatch::Patch, cx.session, cx.palette);
     let parts = parts(cx);
     let mut series = Vec::new();
     for (entry, decomposition) in &parts {

@@ -5,7 +5,7 @@ use egui::{RichText, Ui};
 use super::context::ViewContext;
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{Axis, Band, Chart, Mark, Series};
-use crate::widgets::legend::{self, Sample};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{choice, draw};
 use bxdf::{Category, Side};
 use bxdf_lab::analysis::Channel;
@@ -24,7 +24,7 @@ struct Part {
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     controls(ui, cx.options);
-    legend::show(ui, Sample::Line, cx.session, cx.palette);
+    legend::show(ui, Swatch::Line, cx.session, cx.palette);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

@@ -13,7 +13,7 @@ use bxdf_study::session::{EntryId, MaterialEntry, Session};
 
 /// What stands before a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sample {
+pub enum Swatch {
     /// The line of a curve.
     Line,
     /// The colour of a surface.
@@ -23,7 +23,7 @@ pub enum Sample {
 /// The most rows of names: as many as leave room for the view.
 const MAX_ROWS: usize = 5;
 
-/// Between the sample and the name, and between two entries, in points.
+/// Between the swatch and the name, and between two entries, in points.
 const GAPS: [f32; 2] = [6.0, 14.0];
 
 /// The room for how many are left out, in points.
@@ -42,7 +42,7 @@ struct Item<'a> {
 }
 
 /// The names of the materials shown, above a view; a click selects one. A single one needs no legend.
-pub fn show(ui: &mut Ui, sample: Sample, session: &mut Session, palette: &Palette) {
+pub fn show(ui: &mut Ui, swatch: Swatch, session: &mut Session, palette: &Palette) {
     if !session.materials.is_overlay() {
         return;
     }
@@ -61,7 +61,7 @@ pub fn show(ui: &mut Ui, sample: Sample, session: &mut Session, palette: &Palett
         let name = format!("Legend: {}", item.title);
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &name));
         let is_strong = is_selected || response.hovered();
-        draw_item(ui, rect, sample, item, is_strong, palette);
+        draw_item(ui, rect, swatch, item, is_strong, palette);
         let hint = format!(
             "{}\nClick to select it: the panel at the side edits it",
             item.title
@@ -122,7 +122,7 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
 fn draw_item(
     ui: &Ui,
     rect: Rect,
-    sample: Sample,
+    swatch: Swatch,
     item: &Item<'_>,
     is_strong: bool,
     palette: &Palette,
@@ -130,13 +130,13 @@ fn draw_item(
     let color = palette.material(item.entry.slot());
     let painter = ui.painter();
     let left = rect.left_center();
-    match sample {
-        Sample::Line => {
+    match swatch {
+        Swatch::Line => {
             let ends = [left, left + vec2(theme::LINE_SAMPLE, 0.0)];
             let stroke = (theme::CURVE_WIDTH, color);
             draw::line(painter, ends, stroke, Dash::of(item.entry.slot()));
         }
-        Sample::Patch => {
+        Swatch::Patch => {
             let size = theme::SWATCH;
             let corner = left + vec2(theme::LINE_SAMPLE - size.x, -0.5 * size.y);
             painter.rect_filled(Rect::from_min_size(corner, size), 2.0, color);

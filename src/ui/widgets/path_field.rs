@@ -7,12 +7,12 @@ use egui::text::{CCursor, CCursorRange};
 use egui::{Context, Id, Key, Modal, RichText, TextEdit, Ui};
 
 use crate::theme;
-use bxdf_study::store::{Found, Question};
+use bxdf_study::store::{FileDialog, Found};
 
 /// The longest path that is read, in characters: no system has longer ones.
 const LONGEST: usize = 4096;
 
-/// What becomes of the question.
+/// What becomes of the dialog.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It stands.
@@ -26,9 +26,9 @@ pub enum Outcome {
 /// What stands at a path, as the system tells.
 pub type Look<'a> = &'a dyn Fn(&Path) -> io::Result<Found>;
 
-/// A question for a file that is being answered.
+/// A dialog for a file that is being answered.
 pub struct PathField {
-    question: Question,
+    dialog: FileDialog,
     /// What a path without a folder is in.
     folder: PathBuf,
     text: String,
@@ -40,16 +40,16 @@ pub struct PathField {
 }
 
 impl PathField {
-    /// Asks `question`; the path begins with `folder`.
+    /// Asks `dialog`; the path begins with `folder`.
     #[must_use]
-    pub fn new(question: Question, folder: PathBuf) -> Self {
-        let proposed = match &question {
-            Question::Open => "",
-            Question::Save(name) | Question::Export(name) => name,
+    pub fn new(dialog: FileDialog, folder: PathBuf) -> Self {
+        let proposed = match &dialog {
+            FileDialog::Open => "",
+            FileDialog::Save(name) | FileDialog::Export(name) => name,
         };
         let text = folder.join(proposed).display().to_string();
         Self {
-            question,
+            dialog,
             folder,
             text,
             problem: None,
@@ -58,10 +58,10 @@ impl PathField {
         }
     }
 
-    /// The question.
+    /// The dialog.
     #[must_use]
-    pub fn question(&self) -> &Question {
-        &self.question
+    pub fn dialog(&self) -> &FileDialog {
+        &self.dialog
     }
 
     /// Says what became of the answer, and goes on asking.
@@ -70,7 +70,7 @@ impl PathField {
         self.replaced = None;
     }
 
-    /// The window of the question.
+    /// The window of the dialog.
     pub fn show(&mut self, ctx: &Context, look: Look<'_>) -> Outcome {
         let modal = Modal::new(Id::unique("path")).show(ctx, |ui| {
             ui.set_width(theme::PATH_WIDTH.min(ctx.content_rect().width() - theme::HELP_MARGIN));
@@ -83,10 +83,10 @@ impl PathField {
     }
 
     fn contents(&mut self, ui: &mut Ui, look: Look<'_>) -> Outcome {
-        let (title, verb) = match &self.question {
-            Question::Open => ("Open a file", "Open"),
-            Question::Save(_) => ("Save to a file", "Save"),
-            Question::Export(_) => ("Export to a file", "Export"),
+        let (title, verb) = match &self.dialog {
+            FileDialog::Open => ("Open a file", "Open"),
+            FileDialog::Save(_) => ("Save to a file", "Save"),
+            FileDialog::Export(_) => ("Export to a file", "Export"),
         };
         ui.label(RichText::new(title).strong());
         ui.label(
@@ -166,7 +166,7 @@ impl PathField {
         if matches!(found, Ok(Found::Folder)) {
             return Err(format!("{} is a folder: name a file in it", path.display()));
         }
-        let (Question::Save(proposed) | Question::Export(proposed)) = &self.question else {
+        let (FileDialog::Save(proposed) | FileDialog::Export(proposed)) = &self.dialog else {
             return match found {
                 Ok(_) => Ok(path),
                 Err(error) => Err(format!("{}: {error}", path.display())),
@@ -221,35 +221,35 @@ mod tests {
         }
     }
 
-    fn answers(question: Question, text: &str) -> Vec<Result<PathBuf, String>> {
-        let mut field = PathField::new(question, "/f".into());
+    fn answers(dialog: FileDialog, text: &str) -> Vec<Result<PathBuf, String>> {
+        let mut field = PathField::new(dialog, "/f".into());
         field.text = text.to_owned();
         [(); 2].map(|()| field.checked(&look)).to_vec()
     }
 
     #[test]
     fn a_path_is_taken_as_it_is_meant() {
-        let save = || Question::Save("session.toml".to_owned());
+        let save = || FileDialog::Save("session.toml".to_owned());
         assert_eq!(PathField::new(save(), "/f".into()).text, "/f/session.toml");
         for text in ["/f/b.toml", "b.toml", " b ", "'/f/b'", "\"b.toml\""] {
             let expected = Ok(PathBuf::from("/f/b.toml"));
             assert_eq!(answers(save(), text)[0], expected, "{text}");
         }
-        let opened = answers(Question::Open, "a.toml");
+        let opened = answers(FileDialog::Open, "a.toml");
         assert_eq!(opened[0], Ok("/f/a.toml".into()));
     }
 
     #[test]
     fn what_is_wrong_is_said_and_a_file_is_replaced_at_the_second_time() {
-        let save = || Question::Save("session.toml".to_owned());
-        for (question, text, expected) in [
+        let save = || FileDialog::Save("session.toml".to_owned());
+        for (dialog, text, expected) in [
             (save(), "", "Name a file"),
             (save(), "/f/", "Name a file"),
             (save(), "/f/none/b", "/f/none is no folder"),
-            (Question::Open, "b.toml", "/f/b.toml: "),
-            (Question::Open, "/g", "/g is a folder"),
+            (FileDialog::Open, "b.toml", "/f/b.toml: "),
+            (FileDialog::Open, "/g", "/g is a folder"),
         ] {
-            let found = answers(question, text);
+            let found = answers(dialog, text);
             let line = found[1].clone().unwrap_err();
             assert!(line.starts_with(expected), "{text}: {line}");
         }

@@ -12,7 +12,7 @@ use super::half_difference::{HalfDifference, Spherical, half_difference, pair};
 use super::lobe::{HeldLobe, off_horizon, pair_values};
 use super::polar::{UNIFORM_STEP_DEG, direction, seed_angles};
 use super::refine::{Curve as Places, MIDDLE_AND_BESIDE, first_places, is_on_chord, peaks, refine};
-use super::{Detail, IsWanted, Question, RadialScale, Subject};
+use super::{Detail, IsWanted, Query, RadialScale, Subject};
 use bxdf::Side;
 use bxdf::math::frame;
 
@@ -77,7 +77,7 @@ pub struct Request {
     pub is_residual: bool,
 }
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Curve;
 
     fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Curve> {

@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use super::raster::Raster;
 use super::scale::Channel;
-use super::{Detail, IsWanted, Question, Subject};
+use super::{Detail, IsWanted, Query, Subject};
 
 pub use deltas::DeltaValue;
 pub use request::{Comparison, Projection, Quantity, Request};
@@ -19,7 +19,7 @@ pub use request::{Comparison, Projection, Quantity, Request};
 /// The coarse map has a quarter of the pixels along either side.
 const COARSER: usize = 4;
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Map;
 
     const FIRST: Detail = Detail::Coarse;

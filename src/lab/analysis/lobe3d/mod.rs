@@ -6,7 +6,7 @@
 
 use super::lobe::{HeldLobe, Seeds};
 use super::scale::RadialScale;
-use super::{Detail, IsWanted, Question, Subject};
+use super::{Detail, IsWanted, Query, Subject};
 use builder::{Builder, UNIFORM_LEVELS};
 
 mod builder;
@@ -14,7 +14,7 @@ mod surface;
 
 pub use surface::{Mesh, Request, Vertex};
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Mesh;
 
     const FIRST: Detail = Detail::Coarse;

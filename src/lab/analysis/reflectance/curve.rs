@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{LobeShare, Reflectance, lobe_shares};
-use crate::analysis::{Detail, IsWanted, Question, Subject, isotropy};
+use crate::analysis::{Detail, IsWanted, Query, Subject, isotropy};
 use bxdf::Scatterer;
 use bxdf::internals::gauss_legendre;
 use bxdf::math::frame::direction_from_degrees;
@@ -11,7 +11,7 @@ use bxdf::math::frame::direction_from_degrees;
 /// Where the limit at grazing incidence is taken, in degrees: light in the horizon plane itself carries nothing.
 pub const GRAZING_DEG: f64 = 89.999;
 
-/// The question what becomes of light from above, over its angle of incidence.
+/// The query what becomes of light from above, over its angle of incidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveRequest {
     /// The azimuth of the light, in degrees.
@@ -66,7 +66,7 @@ const RULES: [[usize; 2]; 2] = [[8, 5], [12, 9]];
 /// The same where the azimuth makes no difference.
 const ISOTROPIC_RULES: [[usize; 2]; 2] = [[10, 1], [16, 1]];
 
-impl Question for CurveRequest {
+impl Query for CurveRequest {
     type Answer = Curve;
 
     const USES_HELD: bool = false;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::lobe::{HeldLobe, Hold};
 use super::quadrature::Integral;
-use super::{Detail, IsWanted, Question, Subject};
+use super::{Detail, IsWanted, Query, Subject};
 use bxdf::{Category, Lobe, Scatterer, Side};
 
 pub use curve::{Curve, CurveRequest, GRAZING_DEG, Hemispherical, Row};
@@ -125,7 +125,7 @@ pub fn lobe_shares(
     continuous.chain(deltas).collect()
 }
 
-/// The question what each lobe does with the light that arrives along the held direction, whichever is held.
+/// The query what each lobe does with the light that arrives along the held direction, whichever is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SharesRequest {
     /// The absolute error aimed at.
@@ -134,7 +134,7 @@ pub struct SharesRequest {
     pub max_evaluations: usize,
 }
 
-impl Question for SharesRequest {
+impl Query for SharesRequest {
     type Answer = Vec<LobeShare>;
 
     fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Vec<LobeShare>> {

@@ -9,7 +9,7 @@ pub mod warp;
 
 use super::polar::{self, section};
 use super::scale::RadialScale;
-use super::{Detail, HeldLobe, IsWanted, Question, Subject};
+use super::{Detail, HeldLobe, IsWanted, Query, Subject};
 use bxdf::optics::spectrum::luminance;
 
 pub use draws::{CHUNK, Draw, Draws, FIRST_SEED};
@@ -82,7 +82,7 @@ pub struct Study {
 /// The coarse study has a sixteenth of the samples.
 const COARSER: usize = 16;
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Study;
 
     const FIRST: Detail = Detail::Coarse;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::analysis::{Detail, HeldLobe, IsWanted, Question, Subject};
+use crate::analysis::{Detail, HeldLobe, IsWanted, Query, Subject};
 use bxdf::Lobe;
 use bxdf::math::frame::angle_between;
 
@@ -16,14 +16,14 @@ pub struct Warp {
     pub lines: Vec<Vec<DVec3>>,
 }
 
-/// The question how each lobe's map bends the square, for the held direction in wo's place.
+/// The query how each lobe's map bends the square, for the held direction in wo's place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct WarpRequest {
     /// Cells along either side of the square.
     pub cells: usize,
 }
 
-impl Question for WarpRequest {
+impl Query for WarpRequest {
     type Answer = Vec<Warp>;
 
     fn answer(

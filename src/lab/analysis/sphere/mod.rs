@@ -11,7 +11,7 @@ pub(super) mod scene;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::{Detail, IsWanted, Question, Raster, Subject};
+use super::{Detail, IsWanted, Query, Raster, Subject};
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::frame::direction_from_degrees;
 
@@ -115,7 +115,7 @@ const COARSER: usize = 3;
 const SKY_SAMPLES: [usize; 2] = [16, 40];
 const COARSE_SKY_SAMPLES: [usize; 2] = [6, 12];
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Picture;
 
     const USES_HELD: bool = false;

@@ -10,7 +10,7 @@ pub use place::Place;
 
 use super::point::{self, Tested};
 use crate::analysis::raster::Raster;
-use crate::analysis::{Detail, IsWanted, Question, Subject as Asked};
+use crate::analysis::{Detail, IsWanted, Query, Subject as Asked};
 use crate::specimen::Specimen;
 use bxdf::math::Real;
 
@@ -91,7 +91,7 @@ fn found<R: Real>(tested: &Tested<'_, R>, pair: (DVec3, DVec3)) -> [f64; 2] {
     [finding.relative_error, finding.ratio]
 }
 
-impl Question for Request {
+impl Query for Request {
     type Answer = Map;
 
     const USES_HELD: bool = false;

@@ -53,7 +53,7 @@ fn answers_come_coarse_first() {
     assert!(answer.detail == Some(Detail::Full) && slot.version() == 2);
 }
 
-/// A question that was overtaken is given up, and the newest one answered.
+/// A query that was overtaken is given up, and the newest one answered.
 #[test]
 fn the_newest_question_counts() {
     let (mut jobs, announced) = pool();
@@ -62,7 +62,7 @@ fn the_newest_question_counts() {
     let mut ask = |key: u32| {
         let answered = Arc::clone(&answered);
         slot.ask(&mut jobs, &key, Detail::Coarse, move |detail, watch| {
-            // The first question's full answer would take forever.
+            // The first query's full answer would take forever.
             while key == 1 && detail == Detail::Full && !watch.is_stale() {
                 std::thread::yield_now();
             }

@@ -9,7 +9,7 @@ use glam::{DVec3, Vec3};
 use super::context::ViewContext;
 use crate::scene3d::{self, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
-use crate::widgets::legend::{self, Sample};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{draw, handle, reset};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::Session;
@@ -29,7 +29,7 @@ const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
 const UPPER_ZOOM: f32 = 1.15;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Sample::Patch, cx.session, cx.palette);
+    legend::show(ui, Swatch::Patch, cx.session, cx.palette);
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));

@@ -13,7 +13,7 @@ use crate::widgets::{chart, deltas, draw};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::polar::{self, Point};
 use bxdf_study::format;
-use bxdf_study::session::{Curves, Section, Session, Slot};
+use bxdf_study::session::{Curves, PaletteIndex, Section, Session};
 
 /// Radius of the angle labels.
 const ANGLE_LABEL_RADIUS: f64 = 1.075;
@@ -59,7 +59,7 @@ pub(super) fn draw_grid(
 
 /// A material as the plot draws it.
 pub(super) struct Plotted {
-    pub(super) slot: Slot,
+    pub(super) slot: PaletteIndex,
     pub(super) is_selected: bool,
     pub(super) section: Arc<polar::Section>,
 }
@@ -71,7 +71,7 @@ fn arcs(section: &polar::Section) -> impl Iterator<Item = &Vec<Point>> {
 }
 
 /// Where channels are equal, the later curve leaves the earlier one visible at its sides.
-fn stroke(channel: Channel, slot: Slot, palette: &theme::Palette) -> Stroke {
+fn stroke(channel: Channel, slot: PaletteIndex, palette: &theme::Palette) -> Stroke {
     let width = match channel {
         Channel::Luminance => 1.0,
         Channel::Red => 2.0,

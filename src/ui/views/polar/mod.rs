@@ -5,7 +5,7 @@ use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::context::ViewContext;
 use crate::theme::Dash;
-use crate::widgets::legend::{self, Sample};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{draw, handle, reset};
 use bxdf_lab::analysis::{deltas, polar};
 use bxdf_study::cursor::Cursor;
@@ -28,7 +28,7 @@ const WINDOW_SLACK: f64 = 0.005;
 const HOVER_RADIUS: f64 = 1.12;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Sample::Line, cx.session, cx.palette);
+    legend::show(ui, Swatch::Line, cx.session, cx.palette);
     let plotted = plotted(cx);
     let has_deltas = plotted.iter().any(|one| !one.section.stems.is_empty());
     let sections = plotted.iter().map(|one| &*one.section);

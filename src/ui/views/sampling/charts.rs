@@ -7,7 +7,7 @@ use super::super::context::ViewContext;
 use super::studies::{color_of, studies};
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
-use crate::widgets::legend::{self, Sample};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{deltas as labels, draw};
 use bxdf_lab::analysis::deltas;
 use bxdf_study::format;
@@ -15,7 +15,7 @@ use bxdf_study::views::sampling::Options;
 
 /// The density and f cos over its integral, in the section.
 pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Sample::Patch, cx.session, cx.palette);
+    legend::show(ui, Swatch::Patch, cx.session, cx.palette);
     let studies = studies(cx);
     let is_overlay = studies.len() > 1;
     let mut series = Vec::new();
@@ -100,7 +100,7 @@ fn delta_stems(cx: &mut ViewContext<'_, Options>) -> Vec<chart::Stem> {
 
 /// What samples weigh, on a logarithmic axis.
 pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Sample::Line, cx.session, cx.palette);
+    legend::show(ui, Swatch::Line, cx.session, cx.palette);
     let studies = studies(cx);
     let (mut series, mut bands, mut texts) = (Vec::new(), Vec::new(), Vec::new());
     let mut ends = [f64::INFINITY, f64::NEG_INFINITY];

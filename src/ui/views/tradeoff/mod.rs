@@ -13,7 +13,7 @@ use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
 use bxdf_lab::tradeoff::FAMILIES;
-use bxdf_study::measured::{Run, State};
+use bxdf_study::tradeoff_run::{Run, State};
 use bxdf_study::views::tradeoff::{Options, TOLERANCE, wanted};
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {

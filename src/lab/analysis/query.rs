@@ -1,9 +1,9 @@
-//! What a view asks about a material, as a value of its own: the same question is answered for the window's workers, for
+//! What a view asks about a material, as a value of its own: the same query is answered for the window's workers, for
 //! exports and for tests.
 
 use super::{Detail, HeldLobe};
 
-/// What a question is asked about: a surface with one direction held, and what else the answer may depend on.
+/// What a query is asked about: a surface with one direction held, and what else the answer may depend on.
 #[derive(Clone, Copy)]
 pub struct Subject<'a> {
     /// The surface and the direction held.
@@ -29,18 +29,18 @@ impl<'a> Subject<'a> {
 /// Whether an answer is still wanted: long computations ask now and then, from any thread.
 pub type IsWanted<'a> = &'a (dyn Fn() -> bool + Sync);
 
-/// A question: all that the answer depends on besides its subject.
-pub trait Question: Clone + PartialEq + Send + Sync + 'static {
+/// A query: all that the answer depends on besides its subject.
+pub trait Query: Clone + PartialEq + Send + Sync + 'static {
     /// The answer; its default is the answer of nothing, which a view draws while the first one is computed.
     type Answer: Default + Send + Sync + 'static;
 
     /// Whether the answer depends on the direction held.
     const USES_HELD: bool = true;
 
-    /// The detail of the first answer: questions that are answered within a frame or two have no coarse one.
+    /// The detail of the first answer: queries that are answered within a frame or two have no coarse one.
     const FIRST: Detail = Detail::Full;
 
-    /// What tells questions of one kind apart that are asked side by side.
+    /// What tells queries of one kind apart that are asked side by side.
     fn place(&self) -> usize {
         0
     }
