@@ -46,7 +46,7 @@ pub struct Arrow {
     pub flux: [f64; 3],
     /// What a sample of it weighs if it is the only one: radiance along the held direction over that along `direction`.
     pub weight: [f64; 3],
-    /// The probability with which [`Bxdf::sample_f`] chooses it for the held direction in wo's place.
+    /// The probability with which [`Bxdf::sample_f`](bxdf::Bxdf::sample_f) chooses it for the held direction in wo's place.
     pub probability: f64,
     /// To which side it goes.
     pub side: Side,
@@ -133,7 +133,7 @@ impl<'a> HeldLobe<'a> {
         Columns::repeated(self.held.to_array(), n)
     }
 
-    /// The density in 1/sr with which [`Bxdf::sample_f`] draws each direction of `free` for the held one in wo's place,
+    /// The density in 1/sr with which [`Bxdf::sample_f`](bxdf::Bxdf::sample_f) draws each direction of `free` for the held one in wo's place,
     /// whichever is held; its limit from the side `is_upper` at the horizon.
     #[must_use]
     pub fn densities_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<f64> {
