@@ -167,6 +167,12 @@ fn two_cartesian_plots_are_set_by_themselves() {
         let [one, two] = [0, 1].map(|index| file(&session, session.views.ids()[index], format));
         assert!(one != two && !one.is_empty());
     }
+    // One is closed, and comes back with what is its own.
+    harness.query_all_by_label("Close").last().unwrap().click();
+    harness.run();
+    assert_eq!(options(&harness), [over(Abscissa::Free)]);
+    undo(&mut harness);
+    assert_eq!(harness.state().session, session);
     undo(&mut harness);
     assert_eq!(harness.state().session, shown);
 }
