@@ -4,6 +4,7 @@
 
 use std::collections::BTreeSet;
 
+use brdf_explorer::bxdf::internals::beyond_range;
 use brdf_explorer::bxdf::param::Role;
 use brdf_explorer::bxdf::{
     Catalogue, Category, Component, Lobe, Material, ModelSpec, ParamSet, ParamSpec, Precision,
@@ -46,15 +47,19 @@ static RIPPLED: ModelSpec = ModelSpec {
 };
 
 fn build<R: Precision>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
-    let mut inner = Component::of(Catalogue::current().find("rough_dielectric").unwrap());
-    for (name, own) in [
+    let usual = Catalogue::current().find("rough_dielectric").unwrap();
+    let names = [
         ("alpha_x", "sigma_u"),
         ("alpha_y", "sigma_v"),
         ("eta", "denser"),
-    ] {
-        inner.set(name, Value::Number(params.number(own))).unwrap();
-    }
-    inner.build()
+    ];
+    let inner = names
+        .into_iter()
+        .fold(usual.defaults(), |set, (name, own)| {
+            // Extremes go beyond the range of widths.
+            beyond_range(&set, name, params.number(own)).unwrap()
+        });
+    usual.build(&inner)
 }
 
 /// Extremes looked at in a model, one in so many of its sets of parameters.

@@ -60,6 +60,7 @@ pub mod decisions {}
 
 pub mod batch;
 mod catalogue;
+mod common;
 mod delta_only;
 #[cfg(feature = "files")]
 mod encoding;

@@ -3,6 +3,7 @@
 mod component;
 pub(crate) mod embedded;
 pub mod file;
+mod form;
 pub mod library;
 mod mixed_batch;
 mod mixed_samples;
@@ -38,8 +39,7 @@ use mixture::Mixture;
 /// # Ok(())
 /// # }
 /// ```
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(into = "Form", try_from = "Form")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// The name at the screen; empty for a bare model.
     pub name: String,
@@ -245,37 +245,6 @@ impl fmt::Display for Material {
             write!(f, "{component}")?;
         }
         Ok(())
-    }
-}
-
-/// How a material stands in a session: as text where that says all, else as the table of its file.
-#[derive(serde::Serialize, serde::Deserialize)]
-#[serde(untagged)]
-enum Form {
-    Text(String),
-    Table(toml::Table),
-}
-
-impl From<Material> for Form {
-    fn from(material: Material) -> Self {
-        let is_bare = [&material.name, &material.note, &material.source]
-            .iter()
-            .all(|text| text.is_empty());
-        match material.only() {
-            Some(only) if is_bare => Self::Text(only.to_string()),
-            _ => Self::Table(file::table(&material)),
-        }
-    }
-}
-
-impl TryFrom<Form> for Material {
-    type Error = Error;
-
-    fn try_from(form: Form) -> Result<Self> {
-        match form {
-            Form::Text(text) => text.parse(),
-            Form::Table(table) => file::parse(&table.to_string(), "material"),
-        }
     }
 }
 

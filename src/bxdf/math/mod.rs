@@ -2,6 +2,7 @@
 
 pub mod frame;
 pub(crate) mod library;
+mod precisions;
 pub(crate) mod quadrature;
 mod real;
 pub(crate) mod special;

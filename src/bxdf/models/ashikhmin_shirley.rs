@@ -17,7 +17,7 @@
 //! grazing; so do narrow ones (half) where the light comes within their width of the horizon.
 
 use super::blinn_phong;
-use super::common::*;
+use crate::common::*;
 use crate::glossy::cosine_power::{azimuth, ln_cos_over_sin2, sample_about_z};
 use crate::glossy::{LOBES, Mixture, OverDiffuse, exponent, reflected, shares};
 use crate::microfacet::Pair;

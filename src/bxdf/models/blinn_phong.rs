@@ -12,7 +12,7 @@
 //! The glossy lobe darkens towards grazing incidence (the half vectors of a solid angle of `wi` become rarer), where real
 //! surfaces brighten. Sums of diffuse and specular above 1 create energy (declared below).
 
-use super::common::*;
+use crate::common::*;
 use crate::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exceeds_one, exponent, reflected,
     shares,

@@ -12,8 +12,8 @@
 //! times what it receives at grazing incidence (declared below). Samples follow the cosine: weights are up to
 //! 6.25 times the reflectance where both directions graze at roughness 1.
 
-use super::common::*;
 use super::lambertian_reflection::LAMBERT;
+use crate::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::optics::fresnel::schlick_weight;

@@ -18,7 +18,7 @@
 //! reflectance at roughness .01, and 1.8 times at 1. Lambda is the exponential of up to 20, whose rounding shows
 //! twentyfold: errors reach 1.3 times their bound.
 
-use super::common::*;
+use crate::common::*;
 use crate::math::warp;
 use crate::microfacet::half_vector;
 use crate::optics::Spectrum;

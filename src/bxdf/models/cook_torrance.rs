@@ -15,8 +15,8 @@
 //! G is exact for V-cavities: the normals seen sum to the area seen, so energy is kept (`heitz2014`); its crease is visible
 //! at grazing angles. f0 = 1 reflects all at every angle; f0 = 0 nothing, at every angle. m 1e-4..1.
 
-use super::common::*;
 use super::rough_conductor;
+use crate::common::*;
 use crate::glossy::gaussian_slopes::GaussianSlopes;
 use crate::glossy::reflected;
 use crate::microfacet::{Pair, alpha, evaluated_by_pair};

@@ -15,9 +15,9 @@
 //! order of the reflectance, and grow as 1/mu where both directions graze towards the same side (the paper offers a sampler
 //! of its own against that, which this model does without).
 
-use super::common::*;
 use super::lambertian_reflection::LAMBERT;
 use super::oren_nayar;
+use crate::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::ParamSet;

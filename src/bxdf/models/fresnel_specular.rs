@@ -11,7 +11,7 @@
 //! Two Dirac deltas, chosen with the probability of their flux: `f` and `pdf` are 0. Total internal reflection leaves
 //! the mirror alone.
 
-use super::common::*;
+use crate::common::*;
 use crate::delta_only::{DeltaLobes, DeltaOnly};
 use crate::optics::{Spectrum, fresnel};
 use crate::param::ParamSet;

@@ -18,7 +18,7 @@
 //! far from even, with uniform and cosine directions that follow mu_i / (mu_i + mu_o): weights stay bounded, the surge
 //! raising them by no more than 1 + B0.
 
-use super::common::*;
+use crate::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::{ParamSet, Scale};

@@ -9,7 +9,7 @@
 //! # Validity
 //! Exact for every direction and reflectance.
 
-use super::common::*;
+use crate::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::ParamSet;

@@ -9,8 +9,8 @@
 //! # Validity
 //! Exact for every direction and transmittance.
 
-use super::common::*;
 use crate::are_across;
+use crate::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::ParamSet;

@@ -4,7 +4,6 @@ mod ashikhmin_shirley;
 mod blinn_phong;
 mod burley_diffuse;
 mod charlie_sheen;
-mod common;
 mod cook_torrance;
 pub(crate) mod eon;
 mod fresnel_specular;

@@ -13,8 +13,8 @@
 //! to 1.5 % more than it receives at grazing incidence, for sigma near 11 degrees (declared below). Where both
 //! directions graze, the value grows without bound, as published; it saturates at the largest number.
 
-use super::common::*;
 use super::lambertian_reflection::LAMBERT;
+use crate::common::*;
 use crate::math::warp;
 use crate::optics::Spectrum;
 use crate::param::ParamSet;

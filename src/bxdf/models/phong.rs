@@ -13,7 +13,7 @@
 //! 60 degrees, next to nothing at grazing incidence, where real surfaces brighten); what falls below the horizon is lost.
 //! The authors require diffuse + specular <= 1; larger sums create energy (declared below).
 
-use super::common::*;
+use crate::common::*;
 use crate::glossy::{
     DIFFUSE, LOBES, Mixture, OverDiffuse, SPECULAR, cosine_power, exceeds_one, exponent, shares,
 };

@@ -18,7 +18,7 @@
 //! Both widths 0 make the coat a Dirac delta; else both are at least 1e-4. Where n < 1 the coat reflects totally from
 //! outside beyond the critical angle, and nothing reaches the ground.
 
-use super::common::*;
+use crate::common::*;
 use crate::math::warp;
 use crate::microfacet::choices::with_choices;
 use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};

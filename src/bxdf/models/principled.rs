@@ -13,7 +13,7 @@
 //! A fit to measured materials and to taste, not to energy: diffuse, sheen, specular and coat are simply added. At
 //! grazing incidence a rough white surface gives back 1.6 times the light (declared below).
 
-use super::common::*;
+use crate::common::*;
 use crate::glossy::reflected;
 use crate::math::warp;
 use crate::microfacet::ggx::Ggx;

@@ -12,7 +12,7 @@
 //! # Validity
 //! As `rough_conductor`: light lost to repeated facets, saturation where both directions graze.
 
-use super::common::*;
+use crate::common::*;
 use crate::microfacet::ggx::Ggx;
 use crate::microfacet::{Masking, Normals, ONE_WIDTH, Pair, alpha, evaluated_by_pair};
 use crate::optics::Spectrum;

@@ -23,9 +23,11 @@
 
 use std::marker::PhantomData;
 
-use super::common::*;
+use crate::common::*;
 use crate::math::warp;
-use crate::microfacet::compensation::{Compensation, SeveralFacets, Uncompensated};
+use crate::microfacet::compensation::{
+    COMPENSATION, Compensation, DECLARATIONS, SeveralFacets, Uncompensated,
+};
 use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};
 use crate::microfacet::{
     ALPHA_X, ALPHA_Y, Distribution, Masking, Normals, ONE_WIDTH, Pair, evaluated_by_pair,
@@ -61,12 +63,7 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ALPHA_Y,
         DISTRIBUTION,
         Masking::PARAM,
-        ParamSpec::choice(
-            "compensation",
-            &["none", "kulla_conty", "turquin"],
-            "What becomes of light that meets several facets: lost, given back in a wide lobe of its own (Kulla & Conty), \
-             or by making the lobe brighter (Turquin)",
-        ),
+        COMPENSATION,
     ],
     properties: Properties {
         declarations: DECLARATIONS,
@@ -120,45 +117,6 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
         ONE_WIDTH,
     ],
 };
-
-/// The laws that the compensations break.
-const DECLARATIONS: &[Declaration] = &[
-    Declaration {
-        law: Law::Reciprocity,
-        parameters: "fresnel=one,alpha=1,compensation=turquin",
-        theta_deg: 89.9,
-        note: "Turquin's factor depends on wo alone: the two ways differ by up to 69 %",
-        when: |params| params.choice("compensation") == "turquin",
-    },
-    Declaration {
-        law: Law::Energy,
-        parameters: "fresnel=one,alpha=1,compensation=turquin",
-        theta_deg: 89.9,
-        note: "rho_dh reaches 2.18: the factor is made for the light leaving along wo, and brightens a lobe that grazing \
-               light fills already",
-        when: |params| params.choice("compensation") == "turquin",
-    },
-    Declaration {
-        law: Law::Energy,
-        parameters: "fresnel=one,alpha_x=1,alpha_y=.0001,compensation=kulla_conty",
-        theta_deg: 89.5,
-        note: "rho_dh reaches 1.08: the lobe gives back what an isotropic surface of alpha = sqrt(alpha_x alpha_y) loses",
-        when: |params| {
-            let is_isotropic = params.number("alpha_x") == params.number("alpha_y");
-            params.choice("compensation") == "kulla_conty" && !is_isotropic
-        },
-    },
-    Declaration {
-        law: Law::Energy,
-        parameters: "fresnel=one,alpha=.1,distribution=beckmann_rational,compensation=kulla_conty",
-        theta_deg: 82.0,
-        note: "rho_dh reaches 1.003: the lobe gives back what the exact masking loses, where the fit masks less",
-        when: |params| {
-            let is_fitted = params.choice("distribution") == "beckmann_rational";
-            params.choice("compensation") == "kulla_conty" && is_fitted
-        },
-    },
-];
 
 /// The lobes where several reflections have one of their own, which knows no mirror direction.
 const COMPENSATED: &[Lobe] = &[

@@ -18,7 +18,7 @@
 //! straight on as a delta. Close to 1 the transmitted lobe narrows to (eta - 1) alpha, below what f32 resolves of a
 //! direction where that is under 1e-7.
 
-use super::common::*;
+use crate::common::*;
 use crate::delta_only::{DeltaOnly, Unscattered};
 use crate::microfacet::choices::with_choices;
 use crate::microfacet::distribution::{DISTRIBUTION, RATIONAL_MASKING};

@@ -10,7 +10,7 @@
 //! A Dirac delta: `f` and `pdf` are 0, the lobe is what [`Bxdf::deltas`] and [`Bxdf::sample_f`] return. A dielectric's
 //! transmitted light is dropped (it counts as absorbed); `fresnel_specular` keeps it.
 
-use super::common::*;
+use crate::common::*;
 use crate::delta_only::{DeltaLobes, DeltaOnly};
 use crate::optics::{Spectrum, conductor, fresnel};
 use crate::param::ParamSet;

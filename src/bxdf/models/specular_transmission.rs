@@ -10,7 +10,7 @@
 //! A Dirac delta: `f` and `pdf` are 0. No sample at total internal reflection. At grazing incidence a true interface
 //! transmits nothing, this one still does.
 
-use super::common::*;
+use crate::common::*;
 use crate::delta_only::{DeltaLobes, DeltaOnly};
 use crate::optics::{Spectrum, fresnel};
 use crate::param::ParamSet;

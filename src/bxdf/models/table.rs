@@ -13,7 +13,7 @@
 
 use std::sync::Arc;
 
-use super::common::*;
+use crate::common::*;
 use crate::math::warp;
 use crate::microfacet::ggx::Ggx;
 use crate::microfacet::{Normals, Pair, evaluated_by_pair};

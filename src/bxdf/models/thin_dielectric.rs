@@ -14,7 +14,7 @@
 //! carries no 1/e^2. Two Dirac deltas, chosen with the probability of their flux: `f` and `pdf` are 0. An index below 1,
 //! a film of air in glass, reflects totally beyond its critical angle; light that tunnels through is left out.
 
-use super::common::*;
+use crate::common::*;
 use crate::delta_only::{DeltaLobes, DeltaOnly};
 use crate::optics::{Spectrum, fresnel};
 use crate::param::ParamSet;

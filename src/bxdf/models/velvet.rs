@@ -14,7 +14,7 @@
 //! mu_i mu_o) is the harmonic mean of 1 and mu_i with weights 1 - mu_o and mu_o, the density is in proportion to their
 //! arithmetic mean, and the distribution at most 5 / (pi (1 + 4 alpha^2)): no weight exceeds 2.5 times the reflectance.
 
-use super::common::*;
+use crate::common::*;
 use crate::math::warp;
 use crate::microfacet::half_vector;
 use crate::optics::Spectrum;
