@@ -1,6 +1,6 @@
 //! Surfaces whose light is all in Dirac deltas.
 
-use super::batch::{Scatterer, loops};
+use super::batch::{Job, Path, Scatterer, one_by_one};
 use super::lobe::Side;
 use super::lobes::Lobes;
 use super::math::{Real, Vec3};
@@ -46,7 +46,9 @@ impl<R: Real, L: DeltaLobes<R>> Bxdf<R> for DeltaOnly<L> {
 impl<R: Real, L: DeltaLobes<R>> Lobes<R> for DeltaOnly<L> {}
 
 impl<R: Real, L: DeltaLobes<R>> Scatterer<R> for DeltaOnly<L> {
-    loops!(R, if false);
+    fn batch(&self, _path: Path, job: Job<'_, R>) {
+        one_by_one(self, job);
+    }
 }
 
 /// No surface at all: light goes straight on. What a rough interface is where its index is 1, however rough.
