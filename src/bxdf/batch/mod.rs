@@ -69,7 +69,7 @@ pub(crate) fn plain<R: Real, B: Lobes<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
 }
 
 /// The method `batch` of a model: loops of its own, for the widest registers too where `$is_wide`, a constant, says so. Rare
-/// choices, and formulas with functions that stay calls, gain nothing by these, but by a plain one: what a lobe's value
+/// choices, and some formulas whose functions stay calls, gain nothing by these, but by a plain one: what a lobe's value
 /// shares with its density is computed once (Cook-Torrance's reflectance takes 1.7 times as long by calls). A precision that
 /// only measures has [`one_by_one`].
 ///

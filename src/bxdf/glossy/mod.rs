@@ -180,7 +180,7 @@ impl<R: Real, M: OverDiffuse<R>> Lobes<R> for Mixture<M> {
 }
 
 impl<R: Real, M: OverDiffuse<R>> Scatterer<R> for Mixture<M> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
+    loops!(R, if true);
 }
 
 #[cfg(test)]

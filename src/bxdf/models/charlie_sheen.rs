@@ -213,7 +213,7 @@ impl<R: Real> Lobes<R> for CharlieSheen<R> {
 }
 
 impl<R: Real> Scatterer<R> for CharlieSheen<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
+    loops!(R, if true);
 }
 
 #[cfg(test)]

@@ -162,7 +162,7 @@ impl<R: Real> Lobes<R> for CookTorrance<R> {
 }
 
 impl<R: Real> Scatterer<R> for CookTorrance<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
+    loops!(R, if true);
 }
 
 #[cfg(test)]

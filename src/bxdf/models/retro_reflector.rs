@@ -91,7 +91,7 @@ impl<R: Real> Lobes<R> for RetroReflector<R> {
 }
 
 impl<R: Real> Scatterer<R> for RetroReflector<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
+    loops!(R, if true);
 }
 
 #[cfg(test)]

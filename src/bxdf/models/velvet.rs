@@ -144,7 +144,7 @@ impl<R: Real> Lobes<R> for Velvet<R> {
 }
 
 impl<R: Real> Scatterer<R> for Velvet<R> {
-    loops!(R, if R::FUNCTIONS_VECTORISE);
+    loops!(R, if true);
 }
 
 #[cfg(test)]
