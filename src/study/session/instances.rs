@@ -165,6 +165,18 @@ impl Views {
         self.open.values().filter_map(T::among).collect()
     }
 
+    /// Changes the options of the first view of a kind; where none is open, those of the next that is opened.
+    pub fn first_of<T: OfKind>(&mut self, change: impl FnOnce(&mut T)) {
+        let mut options: T = self.options();
+        change(&mut options);
+        match self.first(T::KIND) {
+            Some(id) => {
+                self.open.insert(id, options.into());
+            }
+            None => self.put_away(options.into()),
+        }
+    }
+
     /// Changes the options of every view of a kind, those of the next that is opened too.
     pub fn each<T: OfKind>(&mut self, change: impl Fn(&mut T)) {
         let mut next = self.closed.remove(T::KIND.id);

@@ -1,6 +1,6 @@
 //! What a command is, and its buttons.
 
-use egui::{Button, Context, KeyboardShortcut, Ui};
+use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Ui};
 
 use crate::app::App;
 
@@ -60,6 +60,19 @@ pub struct Command {
     pub run: fn(&mut App, &Context),
     /// How things are now that it changes, in a few words; for what one sees anyway there are none.
     pub state: Option<fn(&App) -> String>,
+}
+
+pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
+pub(super) const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+pub(super) const PLAIN: Modifiers = Modifiers::NONE;
+
+pub(super) const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(modifiers, key)
+}
+
+/// A thing that is on or off.
+pub(super) fn switched(what: &str, is_on: bool) -> String {
+    format!("{what}: {}", if is_on { "on" } else { "off" })
 }
 
 /// A command that can always be done: the start from which the others differ.

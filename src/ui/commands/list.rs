@@ -1,19 +1,11 @@
 //! The one list of commands, which buttons, menus, shortcuts, the search and the help make use of.
 
-use egui::{Key, KeyboardShortcut, Modifiers, ViewportCommand};
+use egui::{Key, ViewportCommand};
 
-use super::command::{Command, Group, command};
+use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, command, key, switched};
 use crate::app::App;
 use bxdf_lab::analysis::Hold;
 use bxdf_study::session::{Curves, MAX_MATERIALS};
-
-const CTRL: Modifiers = Modifiers::COMMAND;
-const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
-const PLAIN: Modifiers = Modifiers::NONE;
-
-const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
-    KeyboardShortcut::new(modifiers, key)
-}
 
 /// Begins anew.
 pub static NEW: Command = command(
@@ -392,9 +384,4 @@ fn has_room(app: &App) -> bool {
 
 fn is_several(app: &App) -> bool {
     app.session.materials.count() > 1
-}
-
-/// A thing that is on or off.
-fn switched(what: &str, is_on: bool) -> String {
-    format!("{what}: {}", if is_on { "on" } else { "off" })
 }

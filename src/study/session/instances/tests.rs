@@ -117,6 +117,17 @@ fn all_of_a_kind_change_and_the_next_one_too() {
 }
 
 #[test]
+fn the_first_of_a_kind_changes_alone_or_the_next_one() {
+    let mut views = Views::default();
+    views.first_of(|plot: &mut cartesian::Options| plot.is_residual = true);
+    let first = views.add(kind("cartesian")).unwrap();
+    assert!(views.options::<cartesian::Options>().is_residual);
+    views.duplicate(first).unwrap();
+    views.first_of(|plot: &mut cartesian::Options| plot.fixed_deg = 5.0);
+    assert_eq!(angles(&views), [5.0, 30.0]);
+}
+
+#[test]
 fn equal_views_are_equal_whatever_their_numbers() {
     let mut views = Views::default();
     let added = views.add(kind("cartesian")).unwrap();

@@ -29,8 +29,8 @@ pub(super) fn entry_of(materials: &Materials, material: &Material) -> Option<Ent
     entries.find(is_it).map(MaterialEntry::id)
 }
 
-/// Makes `point` a material beside the one that was measured, in every view, with the difference between the two where it
-/// is largest.
+/// Makes `point` a material beside the one that was measured, in every view, and shows the difference between the two, in the
+/// first hemisphere, where it is largest.
 pub(super) fn choose(cx: &mut ViewContext<'_, Options>, point: &Point, measured: &Material) {
     let materials = &mut cx.session.materials;
     let original = entry_of(materials, measured);
@@ -49,7 +49,7 @@ pub(super) fn choose(cx: &mut ViewContext<'_, Options>, point: &Point, measured:
         if let Some(original) = original {
             materials.compare_with(original);
             let views = &mut cx.session.views;
-            views.each(|map: &mut hemisphere::Options| map.comparison = Comparison::Difference);
+            views.first_of(|map: &mut hemisphere::Options| map.comparison = Comparison::Difference);
         }
     }
     if let Some(worst) = point.worst {
