@@ -29,7 +29,7 @@ fn measure<Q: Query>(
         let surface = material.build();
         let held = direction_from_degrees(50.0, 180.0);
         let subject = Subject {
-            relative_index: material.relative_index(),
+            material: Some(material),
             ..Subject::of(HeldLobe::new(&*surface, Hold::Light, held))
         };
         let time = || {

@@ -9,7 +9,7 @@ use super::args::{self, Given};
 use super::{check, output};
 use bxdf::batch;
 use bxdf::error::{self, Error, Result, shown};
-use bxdf_lab::timing::WallClock;
+use bxdf_lab::timing::Stopwatch;
 use bxdf_lab::tradeoff::table::{COLUMNS, rows};
 use bxdf_lab::tradeoff::{
     self, Advice, DEFAULT_TOLERANCES, FAMILIES, Family, FamilyReport, Point, Study, advise, measure,
@@ -57,7 +57,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<()> {
     let measured = measure(
         &study,
         &families,
-        &WallClock,
+        Stopwatch::WallClock,
         &|| true,
         &mut |report, share| {
             let family = report.families.last().map_or("", |family| family.title);

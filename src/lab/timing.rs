@@ -50,42 +50,44 @@ impl Timing {
 }
 
 /// Measures how long work takes.
-pub trait Stopwatch: Sync {
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Stopwatch {
+    /// The clock of the machine: once to warm up, then the median of several repetitions.
+    #[default]
+    WallClock,
+    /// No clock at all: a nanosecond for each unit of size. What needs the same result twice, as a stored picture, uses it.
+    NoClock,
+}
+
+impl Stopwatch {
     /// The time of `work`, which is done several times; `size` says how much it is, in any unit that grows with its cost.
-    fn time(&self, size: f64, work: &mut dyn FnMut()) -> Timing;
-}
-
-/// The clock of the machine: once to warm up, then the median of several repetitions.
-#[derive(Clone, Copy, Debug)]
-pub struct WallClock;
-
-impl Stopwatch for WallClock {
-    fn time(&self, _: f64, work: &mut dyn FnMut()) -> Timing {
-        let once = elapsed(work);
-        let count = (SHORTEST.as_secs_f64() / once.as_secs_f64().max(1e-9)).ceil() as u32;
-        let count = count.max(1);
-        let begin = Instant::now();
-        let mut times = Vec::with_capacity(REPETITIONS);
-        while times.len() < REPETITIONS && (times.len() < 3 || begin.elapsed() < LONGEST) {
-            let time = elapsed(&mut || (0..count).for_each(|_| work()));
-            times.push(time.as_secs_f64() * 1e9 / f64::from(count));
+    #[must_use]
+    pub fn time(self, size: f64, work: &mut dyn FnMut()) -> Timing {
+        match self {
+            Self::WallClock => Timing::of(repeated(work)),
+            Self::NoClock => {
+                work();
+                Timing {
+                    ns: size,
+                    spread: [size; 2],
+                }
+            }
         }
-        Timing::of(times)
     }
 }
 
-/// No clock at all: a nanosecond for each unit of size. What needs the same result twice, as a stored picture, uses it.
-#[derive(Clone, Copy, Debug)]
-pub struct NoClock;
-
-impl Stopwatch for NoClock {
-    fn time(&self, size: f64, work: &mut dyn FnMut()) -> Timing {
-        work();
-        Timing {
-            ns: size,
-            spread: [size; 2],
-        }
+/// The nanoseconds of `work` in each of several repetitions.
+fn repeated(work: &mut dyn FnMut()) -> Vec<f64> {
+    let once = elapsed(work);
+    let count = (SHORTEST.as_secs_f64() / once.as_secs_f64().max(1e-9)).ceil() as u32;
+    let count = count.max(1);
+    let begin = Instant::now();
+    let mut times = Vec::with_capacity(REPETITIONS);
+    while times.len() < REPETITIONS && (times.len() < 3 || begin.elapsed() < LONGEST) {
+        let time = elapsed(&mut || (0..count).for_each(|_| work()));
+        times.push(time.as_secs_f64() * 1e9 / f64::from(count));
     }
+    times
 }
 
 fn elapsed(work: &mut dyn FnMut()) -> Duration {
@@ -111,12 +113,12 @@ mod tests {
         let mut sum = 0.0_f64;
         let mut work =
             || (0..2000_u32).for_each(|x| sum += std::hint::black_box(f64::from(x)).sqrt());
-        let timing = WallClock.time(1.0, &mut work);
+        let timing = Stopwatch::WallClock.time(1.0, &mut work);
         assert!(
             timing.ns > 100.0 && timing.spread[0] <= timing.spread[1],
             "{timing:?}"
         );
-        assert_eq!(NoClock.time(7.0, &mut work).ns, 7.0);
+        assert_eq!(Stopwatch::NoClock.time(7.0, &mut work).ns, 7.0);
         assert!(sum > 0.0);
     }
 }

@@ -4,16 +4,17 @@ use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::jobs::{Answer, Clock, Jobs, Slot, Watch};
-use super::memo::{Memo, Same};
+use super::jobs::{Answer, Clock, Jobs, Part};
+use super::parallel::Pool;
 use super::session::{EntryId, MaterialEntry, Session, ViewId};
-use super::tradeoff_run::Measured;
-use bxdf::Rotated;
-use bxdf::math::frame;
-use bxdf::{Material, Scatterer};
-use bxdf_lab::analysis::lobe::Arrow;
-use bxdf_lab::analysis::{Detail, HeldLobe, Hold, Query, Subject};
-use bxdf_lab::contract::{LawReport, check_physical};
+use asked::{Asked, Asking, Held};
+use bxdf::Material;
+use bxdf::material::library::Named;
+use bxdf_lab::analysis::{Basis, Detail, Query, Subject};
+
+mod asked;
+
+pub use asked::Surface;
 
 /// Seconds after which it is said that something is being computed.
 const BLINK: f64 = 0.1;
@@ -27,60 +28,19 @@ pub enum Progress {
     Complete(Option<f64>),
 }
 
-/// A material, turned about n.
-pub struct Surface {
-    /// What is evaluated.
-    pub bxdf: Box<dyn Scatterer<f64>>,
-    /// The index of refraction below over that above.
-    pub relative_index: f64,
-}
-
-/// The direction held.
-#[derive(Clone, Copy, PartialEq)]
-struct Held {
-    hold: Hold,
-    theta_deg: f64,
-    phi_deg: f64,
-}
-
-impl Held {
-    /// The one where it does not matter.
-    const ANY: Self = Self {
-        hold: Hold::Light,
-        theta_deg: 0.0,
-        phi_deg: 0.0,
-    };
-
-    fn of(session: &Session) -> Self {
-        Self {
-            hold: session.hold,
-            theta_deg: session.theta_deg,
-            phi_deg: session.phi_deg,
-        }
-    }
-
-    fn lobe<'a>(&self, surface: &'a Surface) -> HeldLobe<'a> {
-        let held = frame::direction_from_degrees(self.theta_deg, self.phi_deg);
-        HeldLobe::new(&*surface.bxdf, self.hold, held)
-    }
-}
-
-/// All that an answer depends on.
-#[derive(Clone, PartialEq)]
-struct Asked<Q> {
-    surface: Same<Surface>,
-    against: Option<Same<Surface>>,
-    /// The direction held; where it does not matter, always the same one.
-    held: Held,
-    query: Q,
+/// Of what answers are kept together.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Of {
+    /// A material of the session.
+    Entry(EntryId),
+    /// A named one, which is in no session.
+    Named(&'static str),
 }
 
 /// The answers of one material.
 #[derive(Default)]
 struct Answers {
-    surface: Memo<(Material, f64), Surface>,
-    arrows: Memo<(Same<Surface>, Held), Vec<Arrow>>,
-    checks: Slot<Material, Vec<LawReport>>,
+    surface: Option<Arc<Surface>>,
     /// The slots of queries, by who asks, the type of the query and its place.
     slots: HashMap<(Option<ViewId>, TypeId, usize), Kept>,
 }
@@ -95,27 +55,23 @@ struct Kept {
     is_following: bool,
 }
 
-/// A query, and the slot of its answers.
-struct Asking<Q: Query> {
-    asked: Option<Asked<Q>>,
-    slot: Slot<Asked<Q>, Q::Answer>,
-}
-
-impl Kept {
-    fn new<Q: Query>() -> Self {
-        let asking = Asking::<Q> {
-            asked: None,
-            slot: Slot::default(),
-        };
-        Self {
-            asking: Box::new(asking),
-            frame: 0,
-            is_following: false,
-        }
-    }
-}
-
 impl Answers {
+    /// The surface of `material`; `rotation_deg`: by how much it is turned, where that matters.
+    fn surface(&mut self, material: &Material, rotation_deg: Option<f64>) -> Arc<Surface> {
+        let last = self.surface.as_ref();
+        let rotation_deg = rotation_deg.or(last.map(|last| last.rotation_deg));
+        let rotation_deg = rotation_deg.unwrap_or(0.0);
+        let is_it = |surface: &&Arc<Surface>| {
+            surface.rotation_deg == rotation_deg && surface.material == *material
+        };
+        if let Some(surface) = last.filter(is_it) {
+            return Arc::clone(surface);
+        }
+        let surface = Arc::new(Surface::new(material, rotation_deg));
+        self.surface = Some(Arc::clone(&surface));
+        surface
+    }
+
     fn ask<Q: Query>(
         &mut self,
         jobs: &mut Jobs,
@@ -123,7 +79,11 @@ impl Answers {
         asked: &Asked<Q>,
     ) -> Answer<Q::Answer> {
         let place = (asker, TypeId::of::<Q>(), asked.query.place());
-        let mut kept = self.slots.remove(&place).unwrap_or_else(Kept::new::<Q>);
+        let mut kept = self.slots.remove(&place).unwrap_or_else(|| Kept {
+            asking: Box::new(Asking::<Q>::default()),
+            frame: 0,
+            is_following: false,
+        });
         // Where another view has asked the same in this frame, it is answered once.
         let leader = self.slots.iter().find_map(|(other, kept)| {
             let is_asked = kept.frame == frame && !kept.is_following && other.2 == place.2;
@@ -133,12 +93,7 @@ impl Answers {
         (kept.frame, kept.is_following) = (frame, leader.is_some());
         let answer = match (kept.asking.downcast_mut::<Asking<Q>>(), leader) {
             (Some(own), Some(leader)) => own.slot.follow(&leader.slot, asked),
-            (Some(own), None) => {
-                if own.asked.as_ref() != Some(asked) {
-                    own.asked = Some(asked.clone());
-                }
-                own.answer(jobs, asked)
-            }
+            (Some(own), None) => own.answer(jobs, asked),
             // The type is a part of the place: it is always this one.
             (None, _) => Answer::nothing(),
         };
@@ -147,20 +102,16 @@ impl Answers {
     }
 }
 
-impl<Q: Query> Asking<Q> {
-    fn answer(&mut self, jobs: &mut Jobs, asked: &Asked<Q>) -> Answer<Q::Answer> {
-        let inputs = asked.clone();
-        let compute = move |detail, watch: &Watch<'_>| {
-            let lobe = |surface| inputs.held.lobe(surface);
-            let subject = Subject {
-                lobe: lobe(&inputs.surface.0),
-                relative_index: inputs.surface.0.relative_index,
-                against: inputs.against.as_ref().map(|against| lobe(&against.0)),
-            };
-            inputs.query.answer(&subject, detail, &|| !watch.is_stale())
-        };
-        self.slot.ask(jobs, asked, Q::FIRST, compute)
-    }
+/// What was ordered last of a kind, and how far it is.
+pub struct Ordered<A> {
+    /// What it is about.
+    pub surface: Arc<Surface>,
+    /// What there is of the answer by now.
+    pub answer: Option<Arc<A>>,
+    /// How far that is, where it is a part.
+    pub part: Option<Part>,
+    /// Whether more of it will come.
+    pub is_awaited: bool,
 }
 
 /// How many frames the answer to a query outlives the view that asked: a view hidden for longer asks anew.
@@ -170,7 +121,9 @@ const FRAMES_KEPT: u64 = 3;
 ///
 /// What takes longer than a frame is computed by the pool: until then the views get the last answer, or an empty one.
 pub struct Data {
-    answers: HashMap<EntryId, Answers>,
+    answers: HashMap<Of, Answers>,
+    /// What was ordered: an `Asking<Q>` for each type of query `Q`.
+    orders: HashMap<TypeId, Box<dyn Any>>,
     jobs: Jobs,
     clock: Option<Clock>,
     /// The number of this frame.
@@ -183,25 +136,29 @@ pub struct Data {
     awaited_since: Option<f64>,
     /// The least detailed of the answers of this frame.
     shown: Option<Detail>,
-    /// The trade-off of the material last measured.
-    pub tradeoff: Measured,
 }
 
 impl Data {
-    /// No data yet; `clock` measures the updates, and `wake` is called when there are answers to be shown. Without a clock
-    /// every answer is computed at once.
+    /// No data yet, and no clock: every answer is computed at once.
     #[must_use]
-    pub fn new(clock: Option<Clock>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+    pub fn at_once() -> Self {
+        Self::new(None, Pool::at_once(), || {})
+    }
+
+    /// No data yet; `clock` measures the updates, `pool` answers what takes longer than a frame, and `wake` is called when
+    /// there are answers to be shown. Without a clock every answer is computed at once.
+    #[must_use]
+    pub fn new(clock: Option<Clock>, pool: Pool, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
             answers: HashMap::new(),
-            jobs: Jobs::new(clock, wake),
+            orders: HashMap::new(),
+            jobs: Jobs::new(clock, pool, wake),
             clock,
             frame: 0,
             asker: None,
             last_update: None,
             awaited_since: None,
             shown: Some(Detail::Full),
-            tradeoff: Measured::new(clock.is_some()),
         }
     }
 
@@ -210,12 +167,18 @@ impl Data {
         self.end_frame();
         self.frame += 1;
         self.jobs.begin_frame();
-        self.answers
-            .retain(|id, _| session.materials.get(*id).is_some());
-        for answers in self.answers.values_mut() {
-            let is_asked = |kept: &Kept| kept.frame + FRAMES_KEPT > self.frame;
-            answers.slots.retain(|_, kept| is_asked(kept));
-        }
+        let frame = self.frame;
+        self.answers.retain(|of, answers| {
+            let is_entry = matches!(of, Of::Entry(_));
+            // What the window itself asks of a material may be out of sight for a while.
+            answers.slots.retain(|(asker, ..), kept| {
+                is_entry && asker.is_none() || kept.frame + FRAMES_KEPT > frame
+            });
+            match of {
+                Of::Entry(id) => session.materials.get(*id).is_some(),
+                Of::Named(_) => !answers.slots.is_empty(),
+            }
+        });
     }
 
     /// Takes the time of an update that is complete.
@@ -250,15 +213,8 @@ impl Data {
 
     /// The surface of a material.
     pub fn surface(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Surface> {
-        let key = (entry.material.clone(), session.rotation_deg);
-        let answers = self.answers.entry(entry.id()).or_default();
-        answers.surface.get(key, || {
-            let turn = frame::cos_sin_deg(session.rotation_deg);
-            Surface {
-                bxdf: Box::new(Rotated::new(entry.material.build(), turn)),
-                relative_index: entry.material.relative_index(),
-            }
-        })
+        let answers = self.answers.entry(Of::Entry(entry.id())).or_default();
+        answers.surface(&entry.material, Some(session.rotation_deg))
     }
 
     /// Says who asks from here on: a view, or nobody of them. The answers of each are kept by themselves, so that two views
@@ -268,7 +224,7 @@ impl Data {
     }
 
     /// The answer to `query` about a material, or to the last one of its kind; an empty one before the first.
-    pub fn ask<Q: Query>(
+    pub fn ask<Q: Query<Answer: Default>>(
         &mut self,
         session: &Session,
         entry: &MaterialEntry,
@@ -278,28 +234,105 @@ impl Data {
     }
 
     /// [`Self::ask`], of a query that compares the material with another one.
-    pub fn compare<Q: Query>(
+    pub fn compare<Q: Query<Answer: Default>>(
         &mut self,
         session: &Session,
         entry: &MaterialEntry,
         against: Option<&MaterialEntry>,
         query: Q,
     ) -> Arc<Q::Answer> {
-        let held = if Q::USES_HELD {
-            Held::of(session)
-        } else {
-            Held::ANY
-        };
-        let asked = Asked {
-            surface: Same(self.surface(session, entry)),
-            against: against.map(|against| Same(self.surface(session, against))),
-            held,
-            query,
-        };
-        let answers = self.answers.entry(entry.id()).or_default();
-        let answer = answers.ask(&mut self.jobs, (self.asker, self.frame), &asked);
-        self.shown = self.shown.min(answer.detail);
+        let surface = self.surface(session, entry);
+        let against = against.map(|against| self.surface(session, against));
+        let asked = Asked::held_in(session, surface, against, query);
+        let answer = self.answer(Of::Entry(entry.id()), &asked);
         answer.value.unwrap_or_default()
+    }
+
+    /// The answer to `query` about a material alone, however it is turned; `None` before there is one to this very query.
+    pub fn of_material<Q: Query>(
+        &mut self,
+        entry: &MaterialEntry,
+        query: Q,
+    ) -> Option<Arc<Q::Answer>> {
+        const { assert!(matches!(Q::BASIS, Basis::Material)) };
+        self.find(Of::Entry(entry.id()), &entry.material, None, query)
+    }
+
+    /// The answer to `query` about a named material, not turned, whatever is held; `None` before there is one.
+    pub fn of_named<Q: Query>(
+        &mut self,
+        named: &'static Named,
+        query: Q,
+    ) -> Option<Arc<Q::Answer>> {
+        const { assert!(!matches!(Q::BASIS, Basis::Held)) };
+        self.find(Of::Named(named.id), &named.material, Some(0.0), query)
+    }
+
+    fn find<Q: Query>(
+        &mut self,
+        of: Of,
+        material: &Material,
+        rotation_deg: Option<f64>,
+        query: Q,
+    ) -> Option<Arc<Q::Answer>> {
+        let answers = self.answers.entry(of).or_default();
+        let asked = Asked::of(answers.surface(material, rotation_deg), query);
+        let answer = self.answer(of, &asked);
+        answer.value.filter(|_| answer.detail.is_some())
+    }
+
+    fn answer<Q: Query>(&mut self, of: Of, asked: &Asked<Q>) -> Answer<Q::Answer> {
+        let answers = self.answers.entry(of).or_default();
+        let answer = answers.ask(&mut self.jobs, (self.asker, self.frame), asked);
+        if Q::PACE.is_awaited() {
+            self.shown = self.shown.min(answer.detail);
+        }
+        answer
+    }
+
+    /// Begins to answer `query` about a material; what was ordered of its kind before is called off. What takes seconds is
+    /// ordered, rather than asked anew with each change, and stays whatever becomes of the session.
+    pub fn order<Q: Query>(&mut self, entry: &MaterialEntry, query: Q) {
+        const { assert!(matches!(Q::BASIS, Basis::Material)) };
+        self.orders.remove(&TypeId::of::<Q>());
+        let answers = self.answers.entry(Of::Entry(entry.id())).or_default();
+        let asked = Asked::of(answers.surface(&entry.material, None), query);
+        let mut order = Asking::default();
+        order.answer(&mut self.jobs, &asked);
+        self.orders.insert(TypeId::of::<Q>(), Box::new(order));
+    }
+
+    /// The last order of a kind.
+    fn last_order<Q: Query>(&mut self) -> Option<&mut Asking<Q>> {
+        let order = self.orders.get_mut(&TypeId::of::<Q>());
+        order.and_then(|order| order.downcast_mut())
+    }
+
+    /// Whether it is `query` about this material that was ordered last of its kind.
+    pub fn is_ordered<Q: Query>(&mut self, entry: &MaterialEntry, query: &Q) -> bool {
+        let last = self.last_order::<Q>();
+        let asked = last.and_then(|order| order.asked.as_ref());
+        asked.is_some_and(|asked| asked.query == *query && asked.surface.material == entry.material)
+    }
+
+    /// What was ordered last of a kind, and how far it is.
+    pub fn ordered<Q: Query>(&mut self) -> Option<Ordered<Q::Answer>> {
+        let order = self.last_order::<Q>()?;
+        let asked = order.asked.as_ref()?;
+        let (answer, is_awaited) = order.slot.look(asked);
+        Some(Ordered {
+            surface: Arc::clone(&asked.surface),
+            answer: answer.value,
+            part: answer.part,
+            is_awaited,
+        })
+    }
+
+    /// Calls off what was ordered last of a kind; what is known of it stays.
+    pub fn call_off<Q: Query>(&mut self) {
+        if let Some(order) = self.last_order::<Q>() {
+            order.slot.call_off();
+        }
     }
 
     /// What `of` says of a material with the direction held: for what takes no time and is not kept.
@@ -310,34 +343,10 @@ impl Data {
         of: impl FnOnce(&Subject<'_>) -> T,
     ) -> T {
         let surface = self.surface(session, entry);
-        of(&Subject::of(Held::of(session).lobe(&surface)))
-    }
-
-    /// The Dirac deltas of the held direction.
-    pub fn arrows(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Vec<Arrow>> {
-        let surface = self.surface(session, entry);
-        let held = Held::of(session);
-        let arrows = &mut self.answers.entry(entry.id()).or_default().arrows;
-        let key = (Same(Arc::clone(&surface)), held);
-        arrows.get(key, || held.lobe(&surface).arrows())
-    }
-
-    /// The laws that a material keeps and breaks, whatever is held; `None` while it is being computed.
-    pub fn checks(&mut self, entry: &MaterialEntry) -> Option<Arc<Vec<LawReport>>> {
-        let answers = self.answers.entry(entry.id()).or_default();
-        let material = entry.material.clone();
-        let checks = &mut answers.checks;
-        let answer = checks.ask(
-            &mut self.jobs,
-            &entry.material,
-            Detail::Coarse,
-            move |detail, watch| match detail {
-                // Nothing is said of laws half checked: what the views wait for goes first.
-                Detail::Coarse => None,
-                Detail::Full => check_physical(&material, &|| !watch.is_stale()),
-            },
-        );
-        answer.value.filter(|_| answer.detail.is_some())
+        of(&Subject {
+            material: Some(&surface.material),
+            ..Subject::of(Held::of(session).lobe(&surface))
+        })
     }
 }
 

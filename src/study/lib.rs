@@ -18,5 +18,4 @@ pub mod parallel;
 pub mod platform;
 pub mod session;
 pub mod store;
-pub mod tradeoff_run;
 pub mod views;

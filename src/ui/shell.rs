@@ -56,7 +56,7 @@ impl App {
         let listed = self.list.show(ui, materials, &mut self.data, palette);
         let mut wished = self.notice.report(listed).flatten();
         ui.separator();
-        let picked = self.picker.show(ui, materials);
+        let picked = self.picker.show(ui, materials, &mut self.data);
         self.notice.report(picked);
         ui.separator();
         let area = ScrollArea::vertical()
@@ -255,7 +255,8 @@ impl eframe::App for App {
         });
         self.notice.show(ui);
         self.show_reading(ui);
-        if self.saved.as_mut().is_some_and(|saved| !saved.show(ui)) {
+        let saved = self.saved.as_mut();
+        if saved.is_some_and(|saved| !saved.show(ui, &self.pool)) {
             self.saved = None;
         }
         Panel::left("side")

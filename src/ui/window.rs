@@ -33,9 +33,10 @@ pub fn run() -> Result<()> {
         options,
         Box::new(|cc| {
             let mut app = App::new(cc, Session::default(), None, Some(platform::seconds));
+            let store = Store::platform().in_threads(app.pool());
             app.work_on(
                 &cc.egui_ctx,
-                Store::platform().in_threads(),
+                store,
                 Box::new(Native::default()),
                 export::MAKER,
             );

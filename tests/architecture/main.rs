@@ -289,6 +289,31 @@ fn source_files_are_short() {
     assert!(long.is_empty(), "over {MAX_LINES}: {}", long.join(", "));
 }
 
+/// Where threads are begun: the pool, and what waits for signals while the command line writes files.
+const BEGINNERS: [&str; 2] = ["src/study/parallel.rs", "src/cli/partial.rs"];
+
+#[test]
+fn one_pool_begins_all_threads() {
+    let mut found = BTreeSet::new();
+    for file in sources().into_iter().filter(|file| !file.is_test()) {
+        let code = file.tested();
+        let words = [
+            "thread::Builder",
+            "thread::spawn",
+            "thread::scope",
+            "PoolBuilder",
+            "rayon::spawn",
+        ];
+        if words.iter().any(|word| code.contains(word)) {
+            found.insert(file.path);
+        }
+    }
+    assert!(
+        found.iter().eq(BTreeSet::from(BEGINNERS).iter()),
+        "{found:?}"
+    );
+}
+
 /// A closure that stays a call makes a batch's loop one of calls: seventeen times as slow, and nothing else tells.
 #[test]
 fn what_a_batch_asks_of_a_model_is_inlined() {

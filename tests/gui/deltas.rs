@@ -1,6 +1,7 @@
 //! Dirac deltas in every view that shows values: a stem or a mark with its share, never plain zero.
 
 use brdf_explorer::analysis::cartesian::Abscissa;
+use brdf_explorer::analysis::deltas::Arrows;
 use brdf_explorer::analysis::hemisphere::{Comparison, Quantity};
 use brdf_explorer::bxdf::material::file;
 use brdf_explorer::study::data::Data;
@@ -70,7 +71,7 @@ fn every_view_shows_a_delta_with_its_share() {
         assert!(has(&mixture(), view, half), "{view}: half a mirror");
         let glass = session(&[GLASS]);
         let entry = glass.materials.selected();
-        let arrows = Data::new(None, || {}).arrows(&glass, entry);
+        let arrows = Data::at_once().ask(&glass, entry, Arrows);
         assert_eq!(arrows.len(), 2);
         for arrow in arrows.iter() {
             // The sphere has its own angles; what crosses the surface has no half vector in the slice.

@@ -60,8 +60,7 @@ fn worst_misfit(xs: &[f64], ys: &[f64]) -> f64 {
 fn the_curve_of_a_drawing_is_that_of_the_data() {
     let shown = session(&["rough_conductor:alpha=0.05"]);
     let entry = shown.materials.selected();
-    let curve =
-        Data::new(None, || {}).ask(&shown, entry, cartesian::Options::default().request(&shown));
+    let curve = Data::at_once().ask(&shown, entry, cartesian::Options::default().request(&shown));
     let [line] = &curve.lines[..] else {
         panic!("one line above the surface");
     };
@@ -106,7 +105,7 @@ fn tables_have_every_digit_and_their_units() {
              delta_r,delta_g,delta_b,delta_luminance"
         )
     );
-    let mut data = Data::new(None, || {});
+    let mut data = Data::at_once();
     for entry in shown.materials.iter() {
         let curve = data.ask(&shown, entry, cartesian::Options::default().request(&shown));
         for point in curve.lines.iter().flatten() {

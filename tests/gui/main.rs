@@ -37,7 +37,7 @@ use std::path::PathBuf;
 
 use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::library;
-use brdf_explorer::lab::timing::NoClock;
+use brdf_explorer::lab::timing::Stopwatch::NoClock;
 use brdf_explorer::lab::tradeoff::FAMILIES;
 use brdf_explorer::study::session::{Materials, Session};
 use brdf_explorer::study::views::{self as all_views, tradeoff};
@@ -95,7 +95,7 @@ fn session(shown: &[&str]) -> Session {
 
 /// Measures the trade-off, where it is shown, as if each thing took as long as it is large.
 fn measure_tradeoff(harness: &mut Harness<'_, App>) {
-    harness.state_mut().use_stopwatch(&NoClock);
+    harness.state_mut().use_stopwatch(NoClock);
     if let Some(button) = harness.query_by_label("Measure") {
         button.click();
         harness.run();

@@ -5,13 +5,15 @@ use std::time::{Duration, Instant};
 use brdf_explorer::analysis::Detail;
 use brdf_explorer::study::jobs::Clock;
 use brdf_explorer::study::platform;
-use brdf_explorer::study::views::{self, VIEWS};
+use brdf_explorer::study::session::{Place, Session};
+use brdf_explorer::study::views::{self, Options, VIEWS, tradeoff};
 use brdf_explorer::ui::app::App;
 use egui::Color32;
 use egui::epaint::Primitive;
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 
-use super::session;
+use super::{material, session};
 
 /// More than any answer takes, on any machine.
 const PATIENCE: Duration = Duration::from_mins(1);
@@ -100,4 +102,61 @@ fn every_view_waits_for_its_workers() {
         let at_once = settled(&mut view(spec.id, None));
         assert!(at_once == settled(&mut pooled), "{}", spec.id);
     }
+}
+
+/// Every family, by the clock of the machine: that takes much longer than the views, which go on meanwhile.
+#[test]
+fn the_window_goes_on_while_a_tradeoff_is_measured() {
+    let ids = ["tradeoff", "polar"];
+    let views = ids.map(|id| Place::View(Options::of(views::find(id).unwrap())));
+    let shown = Session {
+        views: Place::row(views.into()).into(),
+        ..Session::of(material("gold"))
+    };
+    assert!(
+        shown
+            .views
+            .options::<tradeoff::Options>()
+            .left_out
+            .is_empty()
+    );
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(1280.0, 800.0))
+        .with_max_steps(32)
+        .build_eframe(|cc| App::new(cc, shown, None, Some(platform::seconds)));
+    harness.step();
+    harness.get_by_label("Measure").click();
+    harness.run_steps(2);
+    assert!(harness.query_by_label("Measure").is_none());
+    // The first points are shown before the last ones are measured.
+    let known = "The material as a whole";
+    let begin = Instant::now();
+    while harness.query_by_label(known).is_none() {
+        assert!(harness.query_by_label("Cancel").is_some());
+        assert!(begin.elapsed() < PATIENCE, "no part is ever told");
+        std::thread::sleep(Duration::from_millis(1));
+        harness.step();
+    }
+    for theta in [20.0, 50.0, 70.0] {
+        harness.state_mut().session.theta_deg = theta;
+        harness.step();
+        while harness.state().shown() != Some(Detail::Full) {
+            assert!(begin.elapsed() < PATIENCE, "the answers never come");
+            std::thread::sleep(Duration::from_millis(1));
+            harness.step();
+        }
+    }
+    harness.get_by_label("Cancel").click();
+    harness.run_steps(2);
+    assert!(
+        harness.query_by_label("Measure").is_some(),
+        "it was over before"
+    );
+    assert!(harness.query_by_label(known).is_some());
+    // It stays the one that was measured.
+    let added = harness.state_mut().session.materials.add(material("phong"));
+    added.unwrap();
+    harness.run_steps(2);
+    assert!(harness.query_by_label("measured: Gold").is_some());
+    assert!(harness.query_by_label(known).is_some());
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::lobe::{Arrow, HeldLobe};
 use super::section::signed_angle;
-use super::{Channel, Subject};
+use super::{Channel, Detail, IsWanted, Pace, Query, Subject};
 use bxdf::Side;
 
 /// A delta whose direction is within this of a section, as a length, lies in it: a third of a degree is no wider than a
@@ -13,6 +13,21 @@ const IN_SECTION: f64 = 0.02;
 
 /// Directions nearer to one another than this are one: deltas of two surfaces, computed by two formulas.
 const SAME_DIRECTION: f64 = 1e-9;
+
+/// The deltas of the lobe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Arrows;
+
+impl Query for Arrows {
+    type Answer = Vec<Arrow>;
+
+    // What is drawn of the values must not be ahead of it.
+    const PACE: Pace = Pace::AtOnce;
+
+    fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Vec<Arrow>> {
+        Some(subject.lobe.arrows())
+    }
+}
 
 /// A delta in a plot over an angle.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -25,7 +25,7 @@ pub mod statistics;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
-pub use query::{IsWanted, Query, Subject};
+pub use query::{Basis, IsWanted, Pace, Query, Subject, Tell};
 pub use raster::Raster;
 pub use scale::{Channel, RadialScale};
 

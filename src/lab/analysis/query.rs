@@ -2,54 +2,110 @@
 //! exports and for tests.
 
 use super::{Detail, HeldLobe};
+use bxdf::Material;
 
 /// What a query is asked about: a surface with one direction held, and what else the answer may depend on.
 #[derive(Clone, Copy)]
 pub struct Subject<'a> {
     /// The surface and the direction held.
     pub lobe: HeldLobe<'a>,
-    /// The index of refraction below the surface over the one above; 1 without transmission.
-    pub relative_index: f64,
+    /// The material that the surface is of, not turned; a surface by itself is of none.
+    pub material: Option<&'a Material>,
     /// A surface to compare with, the same direction held.
     pub against: Option<HeldLobe<'a>>,
 }
 
 impl<'a> Subject<'a> {
-    /// The surface of `lobe` by itself, of one medium on either side.
+    /// The surface of `lobe` by itself.
     #[must_use]
     pub fn of(lobe: HeldLobe<'a>) -> Self {
         Self {
             lobe,
-            relative_index: 1.0,
+            material: None,
             against: None,
         }
+    }
+
+    /// The index of refraction below the surface over the one above; 1 without transmission.
+    #[must_use]
+    pub fn relative_index(&self) -> f64 {
+        self.material.map_or(1.0, Material::relative_index)
     }
 }
 
 /// Whether an answer is still wanted: long computations ask now and then, from any thread.
 pub type IsWanted<'a> = &'a (dyn Fn() -> bool + Sync);
 
+/// Is handed the parts of an answer: all there is of it so far, and the share of the work done, 0..1.
+pub type Tell<'a, A> = &'a dyn Fn(A, f64);
+
+/// What an answer depends on besides its query.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// The material alone, however it is turned.
+    Material,
+    /// The surface.
+    Surface,
+    /// The surface and the direction held.
+    Held,
+}
+
+/// How soon a query is to be answered, and how that goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// It takes no time: at once, by whoever asks.
+    AtOnce,
+    /// Within a frame or two: in full from the first.
+    Short,
+    /// Coarsely first.
+    CoarseFirst,
+    /// Once all others have a first answer; nobody is told to wait for it.
+    Background,
+    /// Seconds, beside all others; nobody is told to wait for it.
+    Long,
+}
+
+impl Pace {
+    /// Whether a view is incomplete without the answer.
+    #[must_use]
+    pub fn is_awaited(self) -> bool {
+        !matches!(self, Self::Background | Self::Long)
+    }
+}
+
 /// A query: all that the answer depends on besides its subject.
 pub trait Query: Clone + PartialEq + Send + Sync + 'static {
-    /// The answer; its default is the answer of nothing, which a view draws while the first one is computed.
-    type Answer: Default + Send + Sync + 'static;
+    /// The answer.
+    type Answer: Send + Sync + 'static;
 
-    /// Whether the answer depends on the direction held.
-    const USES_HELD: bool = true;
+    /// What the answer depends on.
+    const BASIS: Basis = Basis::Held;
 
-    /// The detail of the first answer: queries that are answered within a frame or two have no coarse one.
-    const FIRST: Detail = Detail::Full;
+    /// How soon it is to be answered.
+    const PACE: Pace = Pace::Short;
 
     /// What tells queries of one kind apart that are asked side by side.
     fn place(&self) -> usize {
         0
     }
 
-    /// The answer in this detail; `None` where it was not wanted to the end.
+    /// The answer in this detail; `None` where it was not wanted to the end, and where a surface by itself is asked for what
+    /// only materials have.
     fn answer(
         &self,
         subject: &Subject<'_>,
         detail: Detail,
         is_wanted: IsWanted<'_>,
     ) -> Option<Self::Answer>;
+
+    /// [`Self::answer`], told in parts meanwhile where it takes long.
+    fn answer_in_parts(
+        &self,
+        subject: &Subject<'_>,
+        detail: Detail,
+        is_wanted: IsWanted<'_>,
+        _tell: Tell<'_, Self::Answer>,
+    ) -> Option<Self::Answer> {
+        self.answer(subject, detail, is_wanted)
+    }
 }

@@ -10,7 +10,7 @@ use super::deltas;
 use super::half_difference::{Spherical, half_difference, pair};
 use super::lobe::pair_values;
 use super::raster::Raster;
-use super::{Detail, IsWanted, Query, Subject};
+use super::{Basis, Detail, IsWanted, Pace, Query, Subject};
 
 /// What a slice shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,8 +39,8 @@ const COARSE_PIXELS: usize = 3;
 impl Query for Request {
     type Answer = Slice;
 
-    const USES_HELD: bool = false;
-    const FIRST: Detail = Detail::Coarse;
+    const BASIS: Basis = Basis::Surface;
+    const PACE: Pace = Pace::CoarseFirst;
 
     fn answer(
         &self,

@@ -5,8 +5,8 @@
 
 use glam::DVec3;
 
-use super::Raster;
 use super::sphere::{Disc, scene::Scene};
+use super::{Basis, Detail, IsWanted, Pace, Query, Raster, Subject};
 use bxdf::Scatterer;
 
 /// Where the light stands: x to the right, y up, z to the viewer. Not quite a unit vector.
@@ -17,6 +17,26 @@ const SAMPLES: [usize; 2] = [5, 9];
 
 /// A square picture: linear R, G, B, and the share of the pixel that the sphere covers, 0..1.
 pub type Picture = Raster<[f64; 4]>;
+
+/// What a picture is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Request {
+    /// Pixels along each side.
+    pub side: usize,
+}
+
+impl Query for Request {
+    type Answer = Picture;
+
+    const BASIS: Basis = Basis::Surface;
+
+    const PACE: Pace = Pace::Background;
+
+    fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Picture> {
+        let surface = subject.lobe.surface();
+        Some(sphere(surface, subject.relative_index(), self.side))
+    }
+}
 
 /// The picture of a sphere of `bxdf`, `side` pixels wide; `relative_index`: that below the surface over that above.
 #[must_use]

@@ -37,7 +37,7 @@ pub use cause::weight_that_keeps_energy;
 pub use law::{LawId, LawReport, Status};
 pub use law_tally::Tallies;
 pub use limits::{CONE, LIMITS, Limit, Relation, compare};
-pub use physics::{PHYSICAL, check_energy, check_physical};
+pub use physics::{PHYSICAL, PhysicalLaws, check_energy, check_physical};
 pub use plan::{Effort, Plan};
 pub use sweep::{directions, parameter_sets};
 

@@ -4,7 +4,7 @@ use super::law::{LawId, LawReport, Status};
 use super::law_tally::Tallies;
 use super::plan::{Effort, Plan};
 use super::{cause, deltas, energy, finite, pointwise};
-use crate::analysis::isotropy;
+use crate::analysis::{Basis, Detail, IsWanted, Pace, Query, Subject, isotropy};
 use crate::specimen::{Specimen, Witness};
 use bxdf::Material;
 
@@ -58,6 +58,27 @@ pub fn check_physical(material: &Material, is_wanted: &dyn Fn() -> bool) -> Opti
         }
     }
     Some(reports)
+}
+
+/// What [`check_physical`] finds, asked as a query.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PhysicalLaws;
+
+impl Query for PhysicalLaws {
+    type Answer = Vec<LawReport>;
+
+    const BASIS: Basis = Basis::Material;
+
+    const PACE: Pace = Pace::Background;
+
+    fn answer(
+        &self,
+        of: &Subject<'_>,
+        _: Detail,
+        is_wanted: IsWanted<'_>,
+    ) -> Option<Vec<LawReport>> {
+        check_physical(of.material?, is_wanted)
+    }
 }
 
 /// The law of energy of [`check_physical`] alone: milliseconds. There is a report of every law: it is never `None`.

@@ -31,7 +31,7 @@ pub use extreme_kind::ExtremeKind;
 pub use extreme_tally::{Extreme, Worst};
 pub(crate) use samples::{is_good, is_good_number, is_unit};
 
-use crate::analysis::{Detail, IsWanted, Query, Subject as Asked};
+use crate::analysis::{Basis, Detail, IsWanted, Query, Subject as Asked};
 use crate::specimen::Specimen;
 use bxdf::{Component, Law, Material, ModelSpec};
 
@@ -138,19 +138,16 @@ pub fn examine_material(material: &Material) -> Vec<Extreme> {
 }
 
 /// What [`examine_material`] finds, asked as a query.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Ranking {
-    /// The material.
-    pub material: Material,
-}
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ranking;
 
 impl Query for Ranking {
     type Answer = Vec<Extreme>;
 
-    const USES_HELD: bool = false;
+    const BASIS: Basis = Basis::Material;
 
-    fn answer(&self, _: &Asked<'_>, _: Detail, is_wanted: IsWanted<'_>) -> Option<Vec<Extreme>> {
-        examine_while(&self.material, is_wanted)
+    fn answer(&self, of: &Asked<'_>, _: Detail, is_wanted: IsWanted<'_>) -> Option<Vec<Extreme>> {
+        examine_while(of.material?, is_wanted)
     }
 }
 

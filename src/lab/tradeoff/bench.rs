@@ -35,7 +35,7 @@ pub trait Family: Sync {
 
 /// What families report to while they measure.
 pub struct Bench<'a> {
-    stopwatch: &'a dyn Stopwatch,
+    stopwatch: Stopwatch,
     is_wanted: IsWanted<'a>,
     /// Told of the report so far, after each point, and of the share of the work done, 0..1.
     listener: &'a mut dyn FnMut(&Report, f64),
@@ -128,7 +128,7 @@ impl Bench<'_> {
 pub fn measure(
     study: &Study<'_>,
     families: &[&dyn Family],
-    stopwatch: &dyn Stopwatch,
+    stopwatch: Stopwatch,
     is_wanted: IsWanted<'_>,
     listener: &mut dyn FnMut(&Report, f64),
 ) -> Option<Report> {

@@ -200,7 +200,7 @@ fn with_indices(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::timing::NoClock;
+    use crate::timing::Stopwatch::NoClock;
     use crate::tradeoff::measure;
     use bxdf::material::library;
 
@@ -220,7 +220,7 @@ mod tests {
     fn more_wavelengths_are_nearer_than_three_colours() {
         let gold = library::read("gold").unwrap();
         let study = Study::new(&gold, None);
-        let report = measure(&study, &[&Channels], &NoClock, &|| true, &mut |_, _| {});
+        let report = measure(&study, &[&Channels], NoClock, &|| true, &mut |_, _| {});
         let points = report.unwrap().families.remove(0).points;
         let [rgb, eight, sixteen, many] = &points[..] else {
             panic!("{points:?}");

@@ -14,6 +14,7 @@ mod mesh;
 mod precision;
 mod probe;
 mod report;
+mod request;
 mod stand_ins;
 mod study;
 pub mod table;
@@ -24,6 +25,7 @@ pub use bench::{Bench, Family, measure};
 pub use errors::{Errors, Pair, colour_difference};
 pub use probe::LIGHT;
 pub use report::{CostUnit, FamilyReport, Point, Report, Slopes};
+pub use request::Request;
 pub use study::{DIRECTION_DEG, Stop, Study};
 
 /// Every family, in the order in which they are measured and shown.

@@ -124,13 +124,13 @@ fn baked(study: &Study<'_>, shape: Shape) -> Result<Material> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::timing::NoClock;
+    use crate::timing::Stopwatch::NoClock;
     use crate::tradeoff::{FamilyReport, measure};
 
     fn report(text: &str) -> FamilyReport {
         let material: Material = text.parse().unwrap();
         let study = Study::new(&material, None);
-        let report = measure(&study, &[&Tables], &NoClock, &|| true, &mut |_, _| {});
+        let report = measure(&study, &[&Tables], NoClock, &|| true, &mut |_, _| {});
         report.unwrap().families.remove(0)
     }
 

@@ -1,7 +1,7 @@
 use glam::DVec3;
 
 use super::*;
-use crate::timing::NoClock;
+use crate::timing::Stopwatch::NoClock;
 use bxdf::Material;
 
 fn study_of(text: &str) -> (Material, Option<DVec3>) {
@@ -16,7 +16,7 @@ fn report(text: &str, id: &str) -> Report {
         .into_iter()
         .find(|family| family.id() == id)
         .unwrap();
-    measure(&study, &[family], &NoClock, &|| true, &mut |_, _| {}).unwrap()
+    measure(&study, &[family], NoClock, &|| true, &mut |_, _| {}).unwrap()
 }
 
 fn family(text: &str, id: &str) -> FamilyReport {
@@ -174,13 +174,13 @@ fn it_stops_when_nobody_wants_it_and_tells_how_far_it_is() {
     let (material, held) = study_of("lambertian_reflection");
     let study = Study::new(&material, held);
     assert_eq!(
-        measure(&study, &FAMILIES, &NoClock, &|| false, &mut |_, _| {}),
+        measure(&study, &FAMILIES, NoClock, &|| false, &mut |_, _| {}),
         None
     );
     let mut shares = Vec::new();
     let precision = FAMILIES.into_iter().filter(|f| f.id() != "estimators");
     let families: Vec<&dyn Family> = precision.collect();
-    let found = measure(&study, &families, &NoClock, &|| true, &mut |_, share| {
+    let found = measure(&study, &families, NoClock, &|| true, &mut |_, share| {
         shares.push(share);
     });
     assert!(found.is_some() && shares.is_sorted());
@@ -197,7 +197,7 @@ fn advice_holds_when_it_is_measured_again() {
             .into_iter()
             .filter(|f| wanted.contains(&f.id()))
             .collect();
-        let report = measure(&study, &families, &NoClock, &|| true, &mut |_, _| {}).unwrap();
+        let report = measure(&study, &families, NoClock, &|| true, &mut |_, _| {}).unwrap();
         for tolerance in [0.3, 0.03] {
             let advice = advise(&report, tolerance);
             let chosen = advice.iter().find(|a| a.family == WHOLE).unwrap();

@@ -1,12 +1,18 @@
+use std::sync::{Mutex, mpsc};
+use std::time::Duration;
+
 use super::*;
+use crate::platform;
 use crate::views::{OwnSection, polar};
+use bxdf_lab::analysis::{IsWanted, Pace, Tell, thumbnail};
+use bxdf_lab::contract::PhysicalLaws;
 
 #[test]
 fn views_that_ask_the_same_have_one_answer_and_else_each_its_own() {
     let mut session = Session::of("oren_nayar".parse().unwrap());
     let second = session.views.duplicate(session.views.ids()[0]).unwrap();
     let views = [session.views.ids()[0], second];
-    let mut data = Data::new(None, || {});
+    let mut data = Data::at_once();
     let mut ask = |azimuths: [f64; 2]| {
         data.begin_frame(&session);
         let asked = [0, 1].map(|index| {
@@ -31,7 +37,7 @@ fn views_that_ask_the_same_have_one_answer_and_else_each_its_own() {
 fn each_material_keeps_its_answers_until_it_is_removed() {
     let mut session = Session::of("oren_nayar".parse().unwrap());
     let added = session.materials.add("phong".parse().unwrap()).unwrap();
-    let mut data = Data::new(None, || {});
+    let mut data = Data::at_once();
     data.begin_frame(&session);
     let section = |data: &mut Data, session: &Session, index: usize| {
         let entry = session.materials.iter().nth(index).unwrap();
@@ -44,11 +50,144 @@ fn each_material_keeps_its_answers_until_it_is_removed() {
     assert!(Arc::ptr_eq(&first, &section(&mut data, &session, 0)));
     assert!(!Arc::ptr_eq(&second, &section(&mut data, &session, 1)));
     // The laws of a material do not depend on what is held.
-    let laws = |data: &mut Data, session: &Session| data.checks(session.materials.selected());
+    let laws = |data: &mut Data, session: &Session| {
+        data.of_material(session.materials.selected(), PhysicalLaws)
+    };
     let checked = laws(&mut data, &session).unwrap();
     session.theta_deg = 10.0;
+    assert!(Arc::ptr_eq(&checked, &laws(&mut data, &session).unwrap()));
+    // Nor on how it is turned; and they may be out of sight for a while.
+    session.rotation_deg = 30.0;
+    section(&mut data, &session, 0);
+    (0..10).for_each(|_| data.begin_frame(&session));
     assert!(Arc::ptr_eq(&checked, &laws(&mut data, &session).unwrap()));
     session.materials.remove(added);
     data.begin_frame(&session);
     assert_eq!(data.answers.len(), 1);
+}
+
+#[test]
+fn what_is_named_is_answered_without_a_session() {
+    let named = &bxdf::material::library::all()[0];
+    let request = thumbnail::Request { side: 4 };
+    let mut data = Data::at_once();
+    let picture = data.of_named(named, request).unwrap();
+    assert!(picture.pixels.iter().flatten().any(|x| *x > 0.0));
+    assert!(Arc::ptr_eq(
+        &picture,
+        &data.of_named(named, request).unwrap()
+    ));
+    (0..2 * FRAMES_KEPT).for_each(|_| data.begin_frame(&Session::default()));
+    assert!(data.answers.is_empty());
+}
+
+/// The letters of the material's title, told one after the other, each as soon as the gate lets it through.
+#[derive(Clone)]
+struct Letters(Arc<Mutex<mpsc::Receiver<()>>>);
+
+impl PartialEq for Letters {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Query for Letters {
+    type Answer = String;
+
+    const BASIS: Basis = Basis::Material;
+
+    const PACE: Pace = Pace::Long;
+
+    fn answer(&self, of: &Subject<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<String> {
+        self.answer_in_parts(of, detail, is_wanted, &|_, _| {})
+    }
+
+    fn answer_in_parts(
+        &self,
+        of: &Subject<'_>,
+        _: Detail,
+        is_wanted: IsWanted<'_>,
+        tell: Tell<'_, String>,
+    ) -> Option<String> {
+        let title = of.material?.title();
+        for end in 1..title.len() {
+            self.0.lock().unwrap().recv().ok()?;
+            is_wanted().then_some(())?;
+            tell(title[..end].to_owned(), end as f64 / title.len() as f64);
+        }
+        self.0.lock().unwrap().recv().ok()?;
+        Some(title)
+    }
+}
+
+/// Letters that wait at a gate.
+fn letters() -> (Letters, mpsc::Sender<()>) {
+    let (open, gate) = mpsc::channel();
+    (Letters(Arc::new(Mutex::new(gate))), open)
+}
+
+#[test]
+fn what_is_ordered_is_told_in_parts_and_stays_until_the_next_order() {
+    let mut session = Session::of("phong".parse().unwrap());
+    let (told, news) = mpsc::channel();
+    let mut data = Data::new(Some(platform::seconds), Pool::new(), move || {
+        let _ = told.send(());
+    });
+    let next = || news.recv_timeout(Duration::from_secs(10)).unwrap();
+    assert!(data.ordered::<Letters>().is_none());
+    let (query, open) = letters();
+    let entry = session.materials.selected().clone();
+    let title = entry.material.title();
+    data.begin_frame(&session);
+    data.order(&entry, query.clone());
+    assert!(data.is_ordered(&entry, &query) && !data.is_ordered(&entry, &letters().0));
+    for end in 1..3 {
+        open.send(()).unwrap();
+        let told = title[..end].to_owned();
+        let ordered = loop {
+            let ordered = data.ordered::<Letters>().unwrap();
+            if ordered.answer.as_deref() == Some(&told) {
+                break ordered;
+            }
+            next();
+        };
+        let share = ordered.part.unwrap().share;
+        assert!(ordered.is_awaited && (share * title.len() as f64 - end as f64).abs() < 1e-9);
+        // Nobody is told to wait for it, and what the views ask meanwhile is answered.
+        data.begin_frame(&session);
+        assert!(matches!(data.progress(), Progress::Complete(_)));
+        session.theta_deg += 1.0;
+        while {
+            data.ask(
+                &session,
+                &entry,
+                polar::Options::default().request(&session),
+            );
+            data.shown() != Some(Detail::Full)
+        } {
+            next();
+            data.begin_frame(&session);
+        }
+    }
+    // It is called off; what is known of it stays, whatever becomes of the material.
+    data.call_off::<Letters>();
+    open.send(()).unwrap();
+    session.materials.selected_mut().material = "ward".parse().unwrap();
+    (0..10).for_each(|_| data.begin_frame(&session));
+    let ordered = data.ordered::<Letters>().unwrap();
+    assert_eq!(ordered.answer.unwrap().as_str(), &title[..2]);
+    assert!(!ordered.is_awaited && ordered.surface.material == entry.material);
+    assert!(!data.is_ordered(session.materials.selected(), &query));
+    // The next one begins anew, and comes to its end.
+    let (query, open) = letters();
+    (0..title.len()).for_each(|_| open.send(()).unwrap());
+    data.order(&entry, query);
+    while data
+        .ordered::<Letters>()
+        .is_some_and(|ordered| ordered.is_awaited)
+    {
+        next();
+    }
+    let ordered = data.ordered::<Letters>().unwrap();
+    assert!(ordered.part.is_none() && ordered.answer.unwrap().as_str() == title);
 }

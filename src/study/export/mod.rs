@@ -6,6 +6,7 @@ use crate::session::{MaterialEntry, Session, ViewId};
 use crate::views::{Options, ViewKind, lobe3d};
 use bxdf::error::{Error, Result};
 use bxdf::material::file as material_file;
+use bxdf_lab::analysis::deltas::Arrows;
 
 mod format;
 pub mod mesh;
@@ -58,7 +59,7 @@ fn numbers(session: &Session, options: Option<&Options>) -> Result<Vec<u8>> {
             "no table: its numbers are copied with its button",
         ));
     }
-    let table = options.table(session, &mut Data::new(None, || {}));
+    let table = options.table(session, &mut Data::at_once());
     if table.rows.is_empty() {
         let why = no_values(session).unwrap_or("no light leaves where it looks");
         return Err(refused(view, &format!("nothing to show: {why}")));
@@ -68,7 +69,7 @@ fn numbers(session: &Session, options: Option<&Options>) -> Result<Vec<u8>> {
 
 /// The lobes of the materials shown, each with its colour.
 fn lobes(session: &Session, theme: Theme) -> Result<Vec<mesh::Named>> {
-    let mut data = Data::new(None, || {});
+    let mut data = Data::at_once();
     let request = lobe3d::request(session);
     let named = session.materials.shown().map(|entry| mesh::Named {
         name: session.materials.title(entry),
@@ -76,7 +77,7 @@ fn lobes(session: &Session, theme: Theme) -> Result<Vec<mesh::Named>> {
         mesh: data.ask(session, entry, request),
         with_cosine: session.with_cosine,
         names: names::Names::of_lobe(session),
-        deltas: data.arrows(session, entry),
+        deltas: data.ask(session, entry, Arrows),
     });
     let lobes: Vec<mesh::Named> = named.collect();
     if !lobes.iter().any(mesh::Named::has_mesh) {

@@ -3,7 +3,8 @@
 //! A [`Slot`] holds the last answer to one query and is asked again whenever its inputs change. What was asked last
 //! is all that counts: a slot waits in the queue at most once, and a worker that comes to it answers the newest query.
 //! It answers coarsely first; all coarse answers go before all full ones, and among equals the newest query first.
-//! A full answer that nobody waits for any more is given up while it is being computed.
+//! A full answer that nobody waits for any more is given up while it is being computed. What takes seconds does not
+//! wait in the queue: it has threads of its own, and tells what it has so far.
 //!
 //! Short work is done at once, in the frame that asks: a slot that took less than a few milliseconds last time, as long as
 //! the frame has time left. Without a clock (pictures, tests) everything is: so pictures need no patience and are the
@@ -11,13 +12,12 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::platform;
-use crate::parallel::Pool;
-use bxdf_lab::analysis::Detail;
+use crate::parallel::{Pool, threads};
+use bxdf_lab::analysis::{Detail, Pace};
 
 mod slot;
 
-pub use slot::{Answer, Slot, Watch};
+pub use slot::{Answer, Part, Slot, Watch};
 
 /// A clock: seconds since some start. Pictures and tests have none, so that they are the same bytes twice.
 pub type Clock = fn() -> f64;
@@ -27,15 +27,24 @@ const FRAME_BUDGET: f64 = 4e-3;
 
 /// Something that waits in the queue.
 trait Task: Send + Sync {
-    /// Answers in this detail; says in which detail it wants to answer next, if at all.
-    fn work(&self, detail: Detail) -> Option<Detail>;
+    /// Answers in this detail, and calls `wake` after each part; says in which detail it wants to answer next, if at all.
+    fn work(&self, detail: Detail, wake: &(dyn Fn() + Sync)) -> Option<Detail>;
+}
+
+/// The turn in which a query of this pace is answered first.
+fn first_turn(pace: Pace) -> Detail {
+    if pace.is_awaited() {
+        Detail::Coarse
+    } else {
+        Detail::Full
+    }
 }
 
 /// The pool, and the time that is left in this frame.
 pub struct Jobs {
     queue: Arc<Queue>,
     clock: Option<Clock>,
-    pool: Option<Pool>,
+    pool: Pool,
     spent: f64,
 }
 
@@ -90,17 +99,20 @@ impl Queue {
         };
         state.running += 1;
         drop(state);
-        let again = task.work(detail);
-        let mut state = locked(&self.state);
-        state.running -= 1;
-        match again {
-            Some(Detail::Coarse) => state.coarse.push(task),
-            Some(Detail::Full) => state.full.push(task),
-            None => {}
+        let again = task.work(detail, &*self.wake);
+        locked(&self.state).running -= 1;
+        if let Some(detail) = again {
+            self.push(detail, task);
         }
-        drop(state);
         (self.wake)();
         true
+    }
+
+    /// Works on a task that waits for no other.
+    fn work_beside(&self, task: &dyn Task) {
+        while task.work(Detail::Full, &*self.wake).is_some() {}
+        locked(&self.state).running -= 1;
+        (self.wake)();
     }
 
     /// What a thread of the pool does until nothing is left to do, or nobody waits for it any more.
@@ -117,21 +129,21 @@ impl Queue {
 }
 
 impl Jobs {
-    /// A pool that serves with as many threads as there are cores but the one that draws; `wake` is called after each
-    /// answer.
+    /// Work for as many threads of `pool` at a time as there are cores but the one that draws; `wake` is called after each
+    /// answer, and each part of one.
     ///
-    /// Without a `clock` there is no pool and everything is answered at once.
+    /// Without a `clock` everything is answered at once.
     #[must_use]
-    pub fn new(clock: Option<Clock>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+    pub fn new(clock: Option<Clock>, pool: Pool, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let queue = Arc::new(Queue {
             state: Mutex::default(),
-            most_serving: platform::workers(),
+            most_serving: threads().saturating_sub(1).max(1),
             wake: Box::new(wake),
         });
         Self {
             queue,
             clock,
-            pool: clock.and_then(|_| Pool::new()),
+            pool,
             spent: 0.0,
         }
     }
@@ -139,22 +151,25 @@ impl Jobs {
     /// Begins a frame. Where there are no workers, as in a browser, this is the time slice in which one task is done.
     pub fn begin_frame(&mut self) {
         self.spent = 0.0;
-        if self.clock.is_some() && self.pool.is_none() {
+        if self.clock.is_some() && !self.pool.has_threads() {
             self.queue.work(locked(&self.queue.state));
         }
     }
 
     /// Lets `task` wait for its first answer.
-    fn push(&self, task: Arc<dyn Task>) {
-        self.queue.push(Detail::Coarse, task);
-        match &self.pool {
-            Some(pool) if self.queue.can_serve() => {
-                let queue = Arc::clone(&self.queue);
-                pool.spawn(move || queue.serve());
-            }
-            Some(_) => {}
+    fn push(&self, pace: Pace, task: Arc<dyn Task>) {
+        let queue = Arc::clone(&self.queue);
+        if pace == Pace::Long && self.pool.has_threads() {
+            locked(&queue.state).running += 1;
+            self.pool.spawn_long(move || queue.work_beside(&*task));
+            return;
+        }
+        queue.push(first_turn(pace), task);
+        if !self.pool.has_threads() {
             // The next frame is its time slice.
-            None => (self.queue.wake)(),
+            (queue.wake)();
+        } else if queue.can_serve() {
+            self.pool.spawn(move || queue.serve());
         }
     }
 
@@ -172,8 +187,9 @@ impl Jobs {
     }
 
     /// Whether work of `seconds` may be done in this frame.
-    fn has_time_for(&self, seconds: Option<f64>) -> bool {
-        self.clock.is_none() || seconds.is_some_and(|seconds| self.spent + seconds <= FRAME_BUDGET)
+    fn has_time_for(&self, pace: Pace, seconds: Option<f64>) -> bool {
+        let is_short = |seconds| self.spent + seconds <= FRAME_BUDGET;
+        self.clock.is_none() || pace == Pace::AtOnce || seconds.is_some_and(is_short)
     }
 
     /// The result of `work`, whose time counts for this frame, and the seconds it took.

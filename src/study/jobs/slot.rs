@@ -3,25 +3,43 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 
-use super::{Clock, Jobs, Task, locked};
-use bxdf_lab::analysis::Detail;
+use super::{Clock, Jobs, Task, first_turn, locked};
+use bxdf_lab::analysis::{Detail, Pace};
 
-/// Tells a computation whether its answer is still wanted.
-pub struct Watch<'a> {
+/// Tells a computation whether its answer is still wanted, and is told what there is of it so far.
+pub struct Watch<'a, V> {
     newest: &'a AtomicU64,
     number: u64,
+    tell: &'a (dyn Fn(V, f64) + Sync),
 }
 
-impl Watch<'_> {
+impl<V> Watch<'_, V> {
     /// Whether a newer query has been asked since.
     #[must_use]
     pub fn is_stale(&self) -> bool {
         self.newest.load(Ordering::Relaxed) != self.number
     }
+
+    /// Shows `value` until there is more of the answer; `share` of the work is done, 0..1.
+    pub fn tell(&self, value: V, share: f64) {
+        (self.tell)(value, share);
+    }
 }
 
 /// What answers a query: the answer, or nothing where it was given up.
-type Compute<V> = dyn Fn(Detail, &Watch<'_>) -> Option<V> + Send + Sync;
+type Compute<V> = dyn Fn(Detail, &Watch<'_, V>) -> Option<V> + Send + Sync;
+
+/// How far an answer is of which a part is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// The share of the work done, 0..1.
+    pub share: f64,
+    /// About how many seconds are left, once that can be said.
+    pub seconds_left: Option<f64>,
+}
+
+/// The share of the work from which on the rest can be estimated.
+const TELLING_SHARE: f64 = 0.02;
 
 /// The last answer to a query, and the query that is being answered.
 pub struct Slot<K, V> {
@@ -35,6 +53,7 @@ struct Shown<K, V> {
     key: K,
     value: Arc<V>,
     detail: Detail,
+    part: Option<Part>,
 }
 
 /// What a slot shares with the workers.
@@ -56,7 +75,7 @@ struct AskedState<K, V> {
 struct Query<K, V> {
     number: u64,
     key: K,
-    first: Detail,
+    pace: Pace,
     compute: Arc<Compute<V>>,
     clock: Option<Clock>,
 }
@@ -84,8 +103,10 @@ impl<K, V> Default for Slot<K, V> {
 pub struct Answer<V> {
     /// The answer; to an older query, where the newest one has none yet. `None` before the first.
     pub value: Option<Arc<V>>,
-    /// In what detail it answers the query asked; `None` for the answer to an older one, and for none.
+    /// In what detail it answers the query asked; `None` for the answer to an older one, and for none. A part is coarse.
     pub detail: Option<Detail>,
+    /// Where it is a part: how far that is.
+    pub part: Option<Part>,
 }
 
 impl<V> Answer<V> {
@@ -95,25 +116,26 @@ impl<V> Answer<V> {
         Self {
             value: None,
             detail: None,
+            part: None,
         }
     }
 }
 
 impl<K, V> Slot<K, V>
 where
-    K: PartialEq + Clone + Send + 'static,
+    K: PartialEq + Clone + Send + Sync + 'static,
     V: Send + Sync + 'static,
 {
     /// The answer for `key`, computed by `compute` only where the key differs from the last one.
     ///
     /// It is computed now if there is time in this frame; else the last answer is returned, and `jobs` wakes the window
-    /// when there is a better one. `first`: the detail of the first answer; short work has no coarse one.
+    /// when there is a better one.
     pub fn ask(
         &mut self,
         jobs: &mut Jobs,
         key: &K,
-        first: Detail,
-        compute: impl Fn(Detail, &Watch<'_>) -> Option<V> + Send + Sync + 'static,
+        pace: Pace,
+        compute: impl Fn(Detail, &Watch<'_, V>) -> Option<V> + Send + Sync + 'static,
     ) -> Answer<V> {
         self.collect();
         let is_full = |shown: &Shown<K, V>| shown.key == *key && shown.detail == Detail::Full;
@@ -127,7 +149,7 @@ where
             }
         } else if asked != Some(true) {
             let number = self.asked.newest.fetch_add(1, Ordering::Relaxed) + 1;
-            if jobs.has_time_for(state.took) {
+            if jobs.has_time_for(pace, state.took) {
                 state.query = None;
                 drop(state);
                 self.answer_now(jobs, number, key.clone(), &compute);
@@ -135,12 +157,12 @@ where
                 state.query = Some(Query {
                     number,
                     key: key.clone(),
-                    first,
+                    pace,
                     compute: Arc::new(compute),
                     clock: jobs.clock,
                 });
                 if !std::mem::replace(&mut state.is_queued, true) {
-                    jobs.push(Arc::clone(&self.asked) as _);
+                    jobs.push(pace, Arc::clone(&self.asked) as _);
                 }
             }
         }
@@ -158,9 +180,17 @@ where
                 key: shown.key.clone(),
                 value: Arc::clone(&shown.value),
                 detail: shown.detail,
+                part: shown.part,
             });
         }
         self.answer(key)
+    }
+
+    /// What there is by now of the answer for `key`, and whether more of it will come; nothing is asked anew.
+    pub fn look(&mut self, key: &K) -> (Answer<V>, bool) {
+        self.collect();
+        let is_awaited = locked(&self.asked.state).query.is_some();
+        (self.answer(key), is_awaited)
     }
 
     /// What is shown, as an answer for `key`.
@@ -170,6 +200,7 @@ where
         Answer {
             value: shown.map(|shown| Arc::clone(&shown.value)),
             detail: shown.filter(answers).map(|shown| shown.detail),
+            part: shown.filter(answers).and_then(|shown| shown.part),
         }
     }
 
@@ -178,11 +209,13 @@ where
         jobs: &mut Jobs,
         number: u64,
         key: K,
-        compute: &impl Fn(Detail, &Watch<'_>) -> Option<V>,
+        compute: &impl Fn(Detail, &Watch<'_, V>) -> Option<V>,
     ) {
         let watch = Watch {
             newest: &self.asked.newest,
             number,
+            // The whole is there before anything is shown.
+            tell: &|_, _| {},
         };
         let (value, seconds) = jobs.timed(|| compute(Detail::Full, &watch));
         locked(&self.asked.state).took = Some(seconds);
@@ -192,6 +225,7 @@ where
                 key,
                 value: Arc::new(value),
                 detail: Detail::Full,
+                part: None,
             });
         }
     }
@@ -204,7 +238,7 @@ where
             if self
                 .shown
                 .as_ref()
-                .is_none_or(|shown| rank(shown) < rank(&answer))
+                .is_none_or(|shown| rank(shown) <= rank(&answer))
             {
                 self.show(answer);
             }
@@ -223,22 +257,39 @@ where
     }
 }
 
+impl<K, V> Slot<K, V> {
+    /// Calls off what was asked last: what is known of it stays.
+    pub fn call_off(&mut self) {
+        self.asked.newest.fetch_add(1, Ordering::Relaxed);
+        locked(&self.asked.state).query = None;
+    }
+}
+
+impl<K, V> Drop for Slot<K, V> {
+    fn drop(&mut self) {
+        self.call_off();
+    }
+}
+
 impl<K, V> Task for Asked<K, V>
 where
-    K: PartialEq + Clone + Send + 'static,
+    K: PartialEq + Clone + Send + Sync + 'static,
     V: Send + Sync + 'static,
 {
-    fn work(&self, turn: Detail) -> Option<Detail> {
-        let (number, key, first, compute, clock) = {
+    fn work(&self, turn: Detail, wake: &(dyn Fn() + Sync)) -> Option<Detail> {
+        let (number, key, pace, compute, clock) = {
             let mut state = locked(&self.state);
             let Some(query) = &state.query else {
                 state.is_queued = false;
                 return None;
             };
             let (key, compute) = (query.key.clone(), Arc::clone(&query.compute));
-            (query.number, key, query.first, compute, query.clock)
+            (query.number, key, query.pace, compute, query.clock)
         };
-        let detail = turn.max(first);
+        let detail = match pace {
+            Pace::CoarseFirst => turn,
+            _ => Detail::Full,
+        };
         // A first answer is always finished: else nothing new would be shown while the inputs keep changing.
         let unchanging = AtomicU64::new(number);
         let newest = match turn {
@@ -246,22 +297,43 @@ where
             Detail::Full => &self.newest,
         };
         let start = clock.map(|clock| clock());
-        let value = compute(detail, &Watch { newest, number });
-        let seconds = clock.zip(start).map(|(clock, start)| clock() - start);
+        let seconds = || clock.zip(start).map(|(clock, start)| clock() - start);
+        let tell = |value: V, share: f64| {
+            let left = |seconds: f64| seconds * (1.0 / share - 1.0);
+            let part = Part {
+                share,
+                seconds_left: seconds().map(left).filter(|_| share > TELLING_SHARE),
+            };
+            locked(&self.state).answer = Some(Shown {
+                number,
+                key: key.clone(),
+                value: Arc::new(value),
+                detail: Detail::Coarse,
+                part: Some(part),
+            });
+            wake();
+        };
+        let watch = Watch {
+            newest,
+            number,
+            tell: &tell,
+        };
+        let value = compute(detail, &watch);
         let mut state = locked(&self.state);
         if let Some(value) = value {
             if detail == Detail::Full {
-                state.took = seconds;
+                state.took = seconds();
             }
             state.answer = Some(Shown {
                 number,
                 key,
                 value: Arc::new(value),
                 detail,
+                part: None,
             });
         }
         let next = match &state.query {
-            Some(query) if query.number != number => Some(Detail::Coarse),
+            Some(query) if query.number != number => Some(first_turn(query.pace)),
             Some(_) if detail == Detail::Coarse => Some(Detail::Full),
             _ => None,
         };

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::colors::Theme;
-use super::platform;
+use super::parallel::Pool;
 use super::session::{Opened, Session};
 #[cfg(doc)]
 use crate::files::MAX_TEXT;
@@ -75,10 +75,10 @@ impl Store {
         Self::new(Arc::new(Disk), folder)
     }
 
-    /// Keeps the session in a thread from now on: a disk that is busy does not stop the window.
+    /// Keeps the session in a thread of `pool` from now on: a disk that is busy does not stop the window.
     #[must_use]
-    pub fn in_threads(mut self) -> Self {
-        self.own.is_threaded = platform::has_threads();
+    pub fn in_threads(mut self, pool: Pool) -> Self {
+        self.own.pool = pool;
         self
     }
 

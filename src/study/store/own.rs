@@ -3,10 +3,10 @@
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::sync::mpsc::{Receiver, TryRecvError};
 
 use super::place::{Places, backup};
-use crate::platform;
+use crate::parallel::Pool;
 use crate::session::{Opened, Session};
 use bxdf::error::{Error, Result};
 
@@ -61,8 +61,8 @@ pub(super) struct Own {
     changed_at: Option<f64>,
     failure: Option<Failure>,
     writing: Option<Writing>,
-    /// Whether it is written by a thread: a disk that is busy takes seconds to have it.
-    pub(super) is_threaded: bool,
+    /// What it is written by: a disk that is busy takes seconds to have it.
+    pub(super) pool: Pool,
 }
 
 /// A session that is being written.
@@ -179,7 +179,7 @@ impl Own {
         session: &Session,
         now: f64,
     ) -> Keeping {
-        if let Some(keeping) = self.take_written(now) {
+        if let Some(keeping) = self.take_written(session, now) {
             return keeping;
         }
         if self.kept.as_ref() == Some(session) {
@@ -201,25 +201,18 @@ impl Own {
         };
         let (places, folder, kept) = (places.clone(), folder.to_owned(), session.clone());
         let write = move || write(&places, &folder, &path, &kept);
-        if !self.is_threaded {
-            return self.written(session.clone(), write(), now);
-        }
-        let (sender, answer) = mpsc::channel();
-        // Nobody listens where the program ends meanwhile.
-        if platform::spawn(move || drop(sender.send(write()))) {
-            self.writing = Some(Writing {
-                session: session.clone(),
-                answer,
-            });
-        }
-        Keeping {
+        self.writing = Some(Writing {
+            session: session.clone(),
+            answer: self.pool.wait_for(write, || {}),
+        });
+        self.take_written(session, now).unwrap_or(Keeping {
             again: Some(POLL),
             news: None,
-        }
+        })
     }
 
-    /// Takes what has become of the writing that was begun; `None` where none was.
-    fn take_written(&mut self, now: f64) -> Option<Keeping> {
+    /// Takes what has become of the writing that was begun, while the session is this one; `None` where none was.
+    fn take_written(&mut self, session: &Session, now: f64) -> Option<Keeping> {
         let writing = self.writing.take()?;
         let written = match writing.answer.try_recv() {
             Ok(written) => written,
@@ -232,10 +225,10 @@ impl Own {
             }
             Err(TryRecvError::Disconnected) => return None,
         };
+        let is_another = writing.session != *session;
         let keeping = self.written(writing.session, written, now);
-        // The session may be another one by now.
         Some(Keeping {
-            again: keeping.again.or(Some(0.0)),
+            again: keeping.again.or(is_another.then_some(0.0)),
             ..keeping
         })
     }

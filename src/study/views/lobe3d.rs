@@ -7,6 +7,7 @@ use crate::data::Data;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
 use crate::session::Session;
+use bxdf_lab::analysis::deltas::Arrows;
 use bxdf_lab::analysis::lobe3d::{Request, Vertex};
 
 pub(super) const KIND: ViewKind = ViewKind {
@@ -50,7 +51,7 @@ impl ViewOptions for Options {
                 let cosine = if session.with_cosine { w.z.abs() } else { 1.0 };
                 table.push_value(&title, [w.x, w.y, w.z], value.map(|f| f * cosine));
             }
-            for arrow in data.arrows(session, entry).iter() {
+            for arrow in data.ask(session, entry, Arrows).iter() {
                 table.push_delta(&title, arrow.direction.to_array(), arrow.flux);
             }
         }

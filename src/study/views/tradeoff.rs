@@ -9,8 +9,9 @@ use crate::data::Data;
 use crate::export::table::{Table, Value};
 use crate::number::{NumberSpec, Numbers};
 use crate::session::Session;
+use bxdf_lab::timing::Stopwatch;
 use bxdf_lab::tradeoff::table::{COLUMNS, rows as tradeoff_rows};
-use bxdf_lab::tradeoff::{FAMILIES, Report};
+use bxdf_lab::tradeoff::{FAMILIES, Report, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "tradeoff",
@@ -68,9 +69,19 @@ impl Options {
     }
 }
 
-/// The ids of the families that any of the session's trade-offs wants: they are measured together, once for all.
+/// The trade-off of the selected material, seen along the held direction: what any of the session's trade-offs wants is
+/// measured together, once for all.
 #[must_use]
-pub fn wanted(session: &Session) -> Vec<&'static str> {
+pub fn request(session: &Session, stopwatch: Stopwatch) -> Request {
+    Request {
+        held: session.on_surface(session.held()),
+        families: wanted(session),
+        stopwatch,
+    }
+}
+
+/// The ids of the families that any of the session's trade-offs wants.
+fn wanted(session: &Session) -> Vec<&'static str> {
     let views = session.views.all::<Options>();
     let ids = FAMILIES.iter().map(|family| family.id());
     ids.filter(|id| views.iter().any(|view| view.wants(id)))
@@ -90,13 +101,10 @@ impl ViewOptions for Options {
         self.left_out.iter().map(String::as_str).collect()
     }
 
-    /// The points of the trade-off, measured if they are not yet.
+    /// The points of the trade-off.
     fn table(&self, session: &Session, data: &mut Data) -> Table {
-        let families = wanted(session);
-        if !data.tradeoff.is_of(session, &families) {
-            data.tradeoff.start(session, families, || {});
-        }
-        let report = data.tradeoff.report();
+        let request = request(session, Stopwatch::WallClock);
+        let report = data.of_material(session.materials.selected(), request);
         let rows = report
             .iter()
             .flat_map(|report| tradeoff_rows(&self.wanted(report)));

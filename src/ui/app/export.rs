@@ -1,7 +1,7 @@
-//! Exporting a view from the window: where to is asked, what is written is made by a thread of its own.
+//! Exporting a view from the window: where to is asked, what is written is made by threads of the pool.
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, TryRecvError};
+use std::sync::mpsc::TryRecvError;
 use std::time::Duration;
 
 use egui::Context;
@@ -12,7 +12,6 @@ use super::picture::{Maker, Picture};
 use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::export::{FORMATS, Format};
-use bxdf_study::platform;
 use bxdf_study::session::ViewId;
 use bxdf_study::store::FileDialog;
 
@@ -88,18 +87,9 @@ impl App {
         make: impl FnOnce() -> Result<Made> + Send + 'static,
         ctx: &Context,
     ) {
-        let (sender, answer) = mpsc::channel();
         let wake = ctx.clone();
-        let work = move || {
-            // Nobody listens where the window is closed meanwhile.
-            let _ = sender.send(make());
-            wake.request_repaint();
-        };
-        if platform::compute(work) {
-            self.exports.making.push(Making { path, answer });
-        } else {
-            self.notice.say(&"no thread to make it");
-        }
+        let answer = self.pool.compute(make, move || wake.request_repaint());
+        self.exports.making.push(Making { path, answer });
     }
 
     /// Writes the files that are made.

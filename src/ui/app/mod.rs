@@ -1,5 +1,6 @@
 //! The application: what the window works on, and what can be done to it.
 
+use std::collections::VecDeque;
 use std::sync::{Arc, Mutex};
 
 use egui::Context;
@@ -23,10 +24,11 @@ use bxdf_study::cursor::Cursor;
 use bxdf_study::data::Data;
 use bxdf_study::history::History;
 use bxdf_study::jobs::Clock;
+use bxdf_study::parallel::Pool;
 use bxdf_study::session::{Session, ViewId};
 use exports::Exports;
 use files::Files;
-use readings::Readings;
+use readings::Reading;
 
 mod asking;
 mod export;
@@ -47,6 +49,8 @@ pub struct App {
     pub session: Session,
     /// The states it was in.
     pub(super) history: History,
+    /// The threads of the window beside the one that draws.
+    pub(super) pool: Pool,
     pub(super) data: Data,
     pub(super) state: ViewState,
     pub(super) cursor: Option<Cursor>,
@@ -61,7 +65,8 @@ pub struct App {
     pub(super) pacing: Pacing,
     pub(super) saved: Option<Saved>,
     pub(super) files: Option<Files>,
-    pub(super) readings: Readings,
+    /// What is being read, in the order in which it came.
+    pub(super) readings: VecDeque<Reading>,
     pub(super) exports: Exports,
     pub(super) exit_problem: Arc<Mutex<Option<Error>>>,
     pub(super) search: Option<Search>,
@@ -86,18 +91,18 @@ impl App {
             scene3d::init(render_state);
         }
         // Without a clock nothing is timed: pictures and tests need no frames to wait for.
-        let picker = Picker::new(clock.is_none());
-        let readings = Readings::new(clock.is_some());
+        let pool = clock.map_or_else(Pool::at_once, |_| Pool::new());
         let ctx = cc.egui_ctx.clone();
         Self {
             history: History::new(&session),
             session,
-            data: Data::new(clock, move || ctx.request_repaint()),
+            data: Data::new(clock, pool.clone(), move || ctx.request_repaint()),
+            pool,
             state: ViewState::default(),
             cursor: None,
             only,
             clicked: None,
-            picker,
+            picker: Picker::default(),
             components: Components::default(),
             list: MaterialList::default(),
             notice: Notice::default(),
@@ -105,7 +110,7 @@ impl App {
             pacing: Pacing::default(),
             saved: None,
             files: None,
-            readings,
+            readings: VecDeque::new(),
             exports: Exports::default(),
             exit_problem: Arc::default(),
             search: None,
@@ -128,8 +133,14 @@ impl App {
     }
 
     /// Measures trade-offs with another clock: pictures that are to be the same twice need one that does not run.
-    pub fn use_stopwatch(&mut self, stopwatch: &'static dyn Stopwatch) {
-        self.data.tradeoff.use_stopwatch(stopwatch);
+    pub fn use_stopwatch(&mut self, stopwatch: Stopwatch) {
+        self.state.stopwatch = stopwatch;
+    }
+
+    /// The threads of the window beside the one that draws.
+    #[must_use]
+    pub fn pool(&self) -> Pool {
+        self.pool.clone()
     }
 
     /// The picture behind a texture, if it is one of the views'.

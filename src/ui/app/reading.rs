@@ -1,7 +1,7 @@
-//! Reading what is opened or pasted: in a thread of its own, so that the window goes on meanwhile.
+//! Reading what is opened or pasted: by a thread of the pool, so that the window goes on meanwhile.
 
 use std::path::PathBuf;
-use std::sync::mpsc::{self, TryRecvError};
+use std::sync::mpsc::TryRecvError;
 use std::time::Duration;
 
 use egui::{Context, Panel, Ui};
@@ -10,7 +10,7 @@ use super::App;
 use super::readings::Reading;
 use bxdf::error::{Error, Result};
 use bxdf_study::files;
-use bxdf_study::platform;
+use bxdf_study::parallel::Pool;
 use bxdf_study::session::Opened;
 
 /// Texts up to this many bytes are read at once: that takes no longer than a frame.
@@ -51,30 +51,17 @@ impl App {
         read: impl FnOnce() -> Result<Opened> + Send + 'static,
         ctx: &Context,
     ) {
-        let (sender, answer) = mpsc::channel();
         let wake = ctx.clone();
-        let work = move || {
-            // Nobody listens where the window is closed meanwhile.
-            let _ = sender.send(read());
-            wake.request_repaint();
-        };
-        if is_long && self.readings.is_threaded && platform::has_threads() {
-            if !platform::spawn(work) {
-                self.notice.say(&"no thread to read it");
-                return;
-            }
-        } else {
-            work();
-        }
-        self.readings
-            .waiting
-            .push_back(Reading { what, path, answer });
+        let at_once = Pool::at_once();
+        let pool = if is_long { &self.pool } else { &at_once };
+        let answer = pool.wait_for(read, move || wake.request_repaint());
+        self.readings.push_back(Reading { what, path, answer });
         self.take_what_is_read(ctx);
     }
 
     /// Shows what is read by now, each after what came before it.
     pub(super) fn take_what_is_read(&mut self, ctx: &Context) {
-        while let Some(first) = self.readings.waiting.front() {
+        while let Some(first) = self.readings.front() {
             let opened = match first.answer.try_recv() {
                 Ok(opened) => opened,
                 Err(TryRecvError::Empty) => {
@@ -85,11 +72,7 @@ impl App {
                     Err(Error::parse(first.what.as_str(), "it could not be read"))
                 }
             };
-            let path = self
-                .readings
-                .waiting
-                .pop_front()
-                .and_then(|reading| reading.path);
+            let path = self.readings.pop_front().and_then(|reading| reading.path);
             self.take(opened, path);
         }
     }
@@ -97,12 +80,12 @@ impl App {
     /// Whether something is being read.
     #[must_use]
     pub fn is_reading(&self) -> bool {
-        !self.readings.waiting.is_empty()
+        !self.readings.is_empty()
     }
 
     /// A panel at the bottom that says what is being read.
     pub(crate) fn show_reading(&self, ui: &mut Ui) {
-        if let Some(first) = self.readings.waiting.front() {
+        if let Some(first) = self.readings.front() {
             Panel::bottom("reading").show(ui, |ui| {
                 // No wheel turns: it would have every frame drawn, beside the thread that reads.
                 ui.label(format!("Reading {} …", first.what));

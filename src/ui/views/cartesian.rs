@@ -9,6 +9,7 @@ use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{choice, draw};
 use bxdf::Side;
 use bxdf_lab::analysis::cartesian::{self, Abscissa, Curve};
+use bxdf_lab::analysis::deltas::Arrows;
 use bxdf_lab::analysis::half_difference::half_difference;
 use bxdf_lab::analysis::lobe::Arrow;
 use bxdf_lab::analysis::{Channel, HeldLobe, polar};
@@ -93,7 +94,7 @@ fn note(cx: &mut ViewContext<'_, Options>) -> Option<&'static str> {
     }
     let crosses = |arrow: &Arrow| arrow.side == Side::Transmission;
     let mut shown = session.materials.shown();
-    let has_one = shown.any(|entry| data.arrows(session, entry).iter().any(crosses));
+    let has_one = shown.any(|entry| data.ask(session, entry, Arrows).iter().any(crosses));
     has_one.then_some("Deltas that cross the surface have no half vector: they are not shown here")
 }
 

@@ -13,6 +13,7 @@ use crate::widgets::pictures::{ColorScale, Textures};
 use crate::widgets::{choice, deltas as widgets_deltas, draw};
 use bxdf_lab::analysis::hemisphere::Map;
 use bxdf_lab::analysis::{Hold, deltas, polar as section};
+use bxdf_lab::timing::Stopwatch;
 use bxdf_study::cursor::Cursor;
 use bxdf_study::data::Data;
 use bxdf_study::export::Format;
@@ -51,6 +52,8 @@ pub struct ViewState {
     number: u64,
     /// Whether a picture is made, in which nobody can click.
     pub(crate) is_picture: bool,
+    /// What measures the times of trade-offs.
+    pub(crate) stopwatch: Stopwatch,
     /// A file that a view asks to be written.
     pub(super) wished_file: Option<(ViewId, Format)>,
 }

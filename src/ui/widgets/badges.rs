@@ -6,7 +6,7 @@ use egui::{Button, Color32, Response, RichText, Role, Ui, WidgetInfo};
 
 use crate::theme::{self, Palette};
 use bxdf::Material;
-use bxdf_lab::contract::{LawId, LawReport, PHYSICAL, Status, Witness};
+use bxdf_lab::contract::{LawId, LawReport, PHYSICAL, PhysicalLaws, Status, Witness};
 use bxdf_study::data::Data;
 use bxdf_study::format;
 use bxdf_study::session::MaterialEntry;
@@ -200,7 +200,7 @@ pub fn show(
     data: &mut Data,
     palette: &Palette,
 ) -> Option<Witness> {
-    let checks = data.checks(entry);
+    let checks = data.of_material(entry, PhysicalLaws);
     let badges = Badges {
         title,
         reports: checks.as_ref().map(|checks| checks.as_slice()),

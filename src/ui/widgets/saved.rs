@@ -2,10 +2,11 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver};
+use std::sync::mpsc::Receiver;
 
 use egui::{Align, Button, Label, Layout, Panel, RichText, Ui};
 
+use bxdf_study::parallel::Pool;
 use bxdf_study::platform;
 
 /// For how long it is shown at least, in seconds: it goes with the next movement after that.
@@ -54,9 +55,9 @@ impl Saved {
         self.text = format!("{} ({text})", self.text);
     }
 
-    /// A panel at the bottom. Returns whether it stays.
+    /// A panel at the bottom; folders are opened by `pool`. Returns whether it stays.
     #[must_use]
-    pub fn show(&mut self, ui: &mut Ui) -> bool {
+    pub fn show(&mut self, ui: &mut Ui, pool: &Pool) -> bool {
         self.take_failure();
         let now = ui.input(|input| input.time);
         let is_old = now - *self.since.get_or_insert(now) > SHOWN;
@@ -77,7 +78,7 @@ impl Saved {
                         .on_hover_text(hint)
                         .clicked()
                     {
-                        self.opening = opened(path, self.open, ui.ctx());
+                        self.opening = opened(path, self.open, ui.ctx(), pool);
                     }
                 }
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
@@ -107,16 +108,15 @@ impl Saved {
 }
 
 /// Opens the folder of `path` without waiting for it.
-fn opened(path: &Path, open: Open, ctx: &egui::Context) -> Option<Receiver<io::Result<()>>> {
+fn opened(
+    path: &Path,
+    open: Open,
+    ctx: &egui::Context,
+    pool: &Pool,
+) -> Option<Receiver<io::Result<()>>> {
     let folder = path.parent()?.to_owned();
-    let (sender, receiver) = mpsc::channel();
     let wake = ctx.clone();
-    let work = move || {
-        // Nobody listens where the line is gone.
-        let _ = sender.send(open(&folder));
-        wake.request_repaint();
-    };
-    platform::spawn(work).then_some(receiver)
+    Some(pool.wait_for(move || open(&folder), move || wake.request_repaint()))
 }
 
 #[cfg(test)]
@@ -135,9 +135,10 @@ mod tests {
             assert_eq!(folder, Path::new("/f"));
             Err(io::ErrorKind::NotFound.into())
         };
+        let pool = Pool::new();
         let mut harness = Harness::new_ui_state(
             |ui, saved: &mut Option<Saved>| {
-                if saved.as_mut().is_some_and(|saved| !saved.show(ui)) {
+                if saved.as_mut().is_some_and(|saved| !saved.show(ui, &pool)) {
                     *saved = None;
                 }
             },

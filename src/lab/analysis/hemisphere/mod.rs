@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use super::raster::Raster;
 use super::scale::Channel;
-use super::{Detail, IsWanted, Query, Subject};
+use super::{Detail, IsWanted, Pace, Query, Subject};
 
 pub use deltas::DeltaValue;
 pub use request::{Comparison, Projection, Quantity, Request};
@@ -22,7 +22,7 @@ const COARSER: usize = 4;
 impl Query for Request {
     type Answer = Map;
 
-    const FIRST: Detail = Detail::Coarse;
+    const PACE: Pace = Pace::CoarseFirst;
 
     fn place(&self) -> usize {
         usize::from(!self.is_upper)

@@ -6,7 +6,7 @@
 
 use super::lobe::{HeldLobe, Seeds};
 use super::scale::RadialScale;
-use super::{Detail, IsWanted, Query, Subject};
+use super::{Detail, IsWanted, Pace, Query, Subject};
 use builder::{Builder, UNIFORM_LEVELS};
 
 mod builder;
@@ -17,7 +17,7 @@ pub use surface::{Mesh, Request, Vertex};
 impl Query for Request {
     type Answer = Mesh;
 
-    const FIRST: Detail = Detail::Coarse;
+    const PACE: Pace = Pace::CoarseFirst;
 
     fn answer(
         &self,

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{LobeShare, Reflectance, lobe_shares};
-use crate::analysis::{Detail, IsWanted, Query, Subject, isotropy};
+use crate::analysis::{Basis, Detail, IsWanted, Pace, Query, Subject, isotropy};
 use bxdf::Scatterer;
 use bxdf::internals::gauss_legendre;
 use bxdf::math::frame::direction_from_degrees;
@@ -69,8 +69,8 @@ const ISOTROPIC_RULES: [[usize; 2]; 2] = [[10, 1], [16, 1]];
 impl Query for CurveRequest {
     type Answer = Curve;
 
-    const USES_HELD: bool = false;
-    const FIRST: Detail = Detail::Coarse;
+    const BASIS: Basis = Basis::Surface;
+    const PACE: Pace = Pace::CoarseFirst;
 
     fn answer(
         &self,

@@ -9,7 +9,7 @@ pub mod warp;
 
 use super::polar::{self, section};
 use super::scale::RadialScale;
-use super::{Detail, HeldLobe, IsWanted, Query, Subject};
+use super::{Detail, HeldLobe, IsWanted, Pace, Query, Subject};
 use bxdf::optics::spectrum::luminance;
 
 pub use draws::{CHUNK, Draw, Draws, FIRST_SEED};
@@ -85,7 +85,7 @@ const COARSER: usize = 16;
 impl Query for Request {
     type Answer = Study;
 
-    const FIRST: Detail = Detail::Coarse;
+    const PACE: Pace = Pace::CoarseFirst;
 
     fn answer(
         &self,

@@ -11,7 +11,7 @@ pub(super) mod scene;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::{Detail, IsWanted, Query, Raster, Subject};
+use super::{Basis, Detail, IsWanted, Pace, Query, Raster, Subject};
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::math::frame::direction_from_degrees;
 
@@ -118,9 +118,9 @@ const COARSE_SKY_SAMPLES: [usize; 2] = [6, 12];
 impl Query for Request {
     type Answer = Picture;
 
-    const USES_HELD: bool = false;
+    const BASIS: Basis = Basis::Surface;
 
-    const FIRST: Detail = Detail::Coarse;
+    const PACE: Pace = Pace::CoarseFirst;
 
     fn answer(
         &self,
@@ -147,7 +147,7 @@ impl Query for Request {
                 picture(&|normals| normals.iter().map(radiance).collect())
             }
             Light::Sky => {
-                let scene = Scene::new(bxdf, subject.relative_index, self.to_light(), samples);
+                let scene = Scene::new(bxdf, subject.relative_index(), self.to_light(), samples);
                 picture(&|normals| normals.iter().map(|n| scene.radiance(*n)).collect())
             }
         }

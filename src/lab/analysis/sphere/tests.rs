@@ -19,7 +19,7 @@ fn of(material: &Material, light: Light, direction: [f64; 2], detail: Detail) ->
     let model = material.build();
     let lobe = HeldLobe::new(&*model, Hold::Light, DVec3::Z);
     let subject = Subject {
-        relative_index: material.relative_index(),
+        material: Some(material),
         ..Subject::of(lobe)
     };
     request.answer(&subject, detail, &|| true).unwrap()

@@ -10,7 +10,7 @@ pub use place::Place;
 
 use super::point::{self, Tested};
 use crate::analysis::raster::Raster;
-use crate::analysis::{Detail, IsWanted, Query, Subject as Asked};
+use crate::analysis::{Basis, Detail, IsWanted, Pace, Query, Subject as Asked};
 use crate::specimen::Specimen;
 use bxdf::math::Real;
 
@@ -94,8 +94,8 @@ fn found<R: Real>(tested: &Tested<'_, R>, pair: (DVec3, DVec3)) -> [f64; 2] {
 impl Query for Request {
     type Answer = Map;
 
-    const USES_HELD: bool = false;
-    const FIRST: Detail = Detail::Coarse;
+    const BASIS: Basis = Basis::Material;
+    const PACE: Pace = Pace::CoarseFirst;
 
     fn answer(&self, _: &Asked<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<Map> {
         let size = match detail {

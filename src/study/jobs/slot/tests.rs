@@ -4,13 +4,14 @@ use std::time::Duration;
 
 use super::*;
 use crate::jobs::FRAME_BUDGET;
+use crate::parallel::Pool;
 use crate::platform;
 
 /// A pool whose answers are announced.
 fn pool() -> (Jobs, mpsc::Receiver<()>) {
     let (sender, receiver) = mpsc::channel();
     let clock: Clock = platform::seconds;
-    let jobs = Jobs::new(Some(clock), move || {
+    let jobs = Jobs::new(Some(clock), Pool::new(), move || {
         let _ = sender.send(());
     });
     (jobs, receiver)
@@ -29,14 +30,14 @@ fn answers_come_coarse_first() {
     let mut slot = Slot::<u32, (u32, Detail)>::default();
     let (open, gate) = mpsc::channel::<()>();
     let gate = Mutex::new(gate);
-    let compute = move |detail, _: &Watch<'_>| {
+    let compute = move |detail, _: &Watch<'_, _>| {
         let _ = locked(&gate).recv();
         Some((1, detail))
     };
     let compute = Arc::new(compute);
     let ask = |slot: &mut Slot<_, _>, jobs: &mut Jobs| {
         let compute = Arc::clone(&compute);
-        slot.ask(jobs, &1, Detail::Coarse, move |detail, watch| {
+        slot.ask(jobs, &1, Pace::CoarseFirst, move |detail, watch| {
             compute(detail, watch)
         })
     };
@@ -61,7 +62,7 @@ fn the_newest_question_counts() {
     let answered = Arc::new(AtomicUsize::new(0));
     let mut ask = |key: u32| {
         let answered = Arc::clone(&answered);
-        slot.ask(&mut jobs, &key, Detail::Coarse, move |detail, watch| {
+        slot.ask(&mut jobs, &key, Pace::CoarseFirst, move |detail, watch| {
             // The first query's full answer would take forever.
             while key == 1 && detail == Detail::Full && !watch.is_stale() {
                 std::thread::yield_now();
@@ -95,25 +96,29 @@ fn the_newest_question_counts() {
 fn short_work_is_done_at_once() {
     let (mut jobs, announced) = pool();
     let mut slot = Slot::<u32, u32>::default();
-    slot.ask(&mut jobs, &1, Detail::Coarse, |_, _| Some(1));
+    slot.ask(&mut jobs, &1, Pace::CoarseFirst, |_, _| Some(1));
     wait(&announced);
     wait(&announced);
-    assert!(slot.ask(&mut jobs, &1, Detail::Coarse, |_, _| None).detail == Some(Detail::Full));
+    assert!(
+        slot.ask(&mut jobs, &1, Pace::CoarseFirst, |_, _| None)
+            .detail
+            == Some(Detail::Full)
+    );
     assert_eq!(
-        slot.ask(&mut jobs, &2, Detail::Coarse, |_, _| Some(2))
+        slot.ask(&mut jobs, &2, Pace::CoarseFirst, |_, _| Some(2))
             .value
             .as_deref(),
         Some(&2)
     );
     jobs.spent = FRAME_BUDGET;
     assert!(
-        slot.ask(&mut jobs, &3, Detail::Coarse, |_, _| Some(3))
+        slot.ask(&mut jobs, &3, Pace::CoarseFirst, |_, _| Some(3))
             .detail
             != Some(Detail::Full)
     );
     jobs.begin_frame();
     assert!(
-        slot.ask(&mut jobs, &4, Detail::Coarse, |_, _| Some(4))
+        slot.ask(&mut jobs, &4, Pace::CoarseFirst, |_, _| Some(4))
             .detail
             == Some(Detail::Full)
     );
@@ -121,10 +126,10 @@ fn short_work_is_done_at_once() {
 
 #[test]
 fn without_a_clock_everything_is_answered_at_once() {
-    let mut jobs = Jobs::new(None, || {});
+    let mut jobs = Jobs::new(None, Pool::at_once(), || {});
     let mut slot = Slot::<u32, u32>::default();
     for key in [1, 2] {
-        let answer = slot.ask(&mut jobs, &key, Detail::Coarse, move |detail, _| {
+        let answer = slot.ask(&mut jobs, &key, Pace::CoarseFirst, move |detail, _| {
             (detail == Detail::Full).then_some(key)
         });
         assert!(answer.detail == Some(Detail::Full) && answer.value.as_deref() == Some(&key));
@@ -135,25 +140,117 @@ fn without_a_clock_everything_is_answered_at_once() {
 /// Two that are asked the same: one is computed, the other one shows it, and goes its own way when it is asked something else.
 #[test]
 fn a_slot_follows_another() {
-    let mut jobs = Jobs::new(None, || {});
+    let mut jobs = Jobs::new(None, Pool::at_once(), || {});
     let [mut first, mut second] = [Slot::<u32, u32>::default(), Slot::default()];
-    second.ask(&mut jobs, &7, Detail::Full, |_, _| Some(7));
-    let computed = first.ask(&mut jobs, &1, Detail::Full, |_, _| Some(1));
+    second.ask(&mut jobs, &7, Pace::Short, |_, _| Some(7));
+    let computed = first.ask(&mut jobs, &1, Pace::Short, |_, _| Some(1));
     let followed = second.follow(&first, &1);
     assert!(followed.detail == Some(Detail::Full));
     assert!(Arc::ptr_eq(
         &computed.value.unwrap(),
         &followed.value.unwrap()
     ));
-    let own = second.ask(&mut jobs, &1, Detail::Full, |_, _| None);
+    let own = second.ask(&mut jobs, &1, Pace::Short, |_, _| None);
     assert!(own.detail == Some(Detail::Full) && own.value.as_deref() == Some(&1));
-    let other = second.ask(&mut jobs, &2, Detail::Full, |_, _| Some(2));
+    let other = second.ask(&mut jobs, &2, Pace::Short, |_, _| Some(2));
     assert_eq!(other.value.as_deref(), Some(&2));
     assert_eq!(
         first
-            .ask(&mut jobs, &1, Detail::Full, |_, _| None)
+            .ask(&mut jobs, &1, Pace::Short, |_, _| None)
             .value
             .as_deref(),
         Some(&1)
     );
+}
+
+/// Parts are shown while the whole is computed, beside what takes a moment; called off, the last one stays.
+#[test]
+fn a_long_answer_is_told_in_parts_and_holds_nothing_up() {
+    let (mut jobs, announced) = pool();
+    let mut slot = Slot::<u32, Vec<u32>>::default();
+    let (open, gate) = mpsc::channel::<()>();
+    let gate = Mutex::new(gate);
+    let compute = move |_, watch: &Watch<'_, _>| {
+        let mut parts = Vec::new();
+        for part in 1..=4 {
+            let _ = locked(&gate).recv();
+            if watch.is_stale() {
+                return None;
+            }
+            parts.push(part);
+            watch.tell(parts.clone(), 0.25 * f64::from(part));
+        }
+        Some(parts)
+    };
+    assert!(slot.ask(&mut jobs, &1, Pace::Long, compute).value.is_none());
+    for part in 1..=3 {
+        open.send(()).unwrap();
+        let told: Vec<u32> = (1..=part).collect();
+        let (answer, is_awaited) = loop {
+            let (answer, is_awaited) = slot.look(&1);
+            if answer.value.as_deref() == Some(&told) {
+                break (answer, is_awaited);
+            }
+            wait(&announced);
+        };
+        assert!(is_awaited && answer.detail == Some(Detail::Coarse) && jobs.is_busy());
+        let known = answer.part.unwrap();
+        assert!((known.share - 0.25 * f64::from(part)).abs() < 1e-12);
+        assert!(known.seconds_left.is_some_and(|seconds| seconds >= 0.0));
+        // What takes a moment is answered meanwhile, as often as it is asked.
+        let mut short = Slot::<u32, u32>::default();
+        for key in 0..20 {
+            while short
+                .ask(&mut jobs, &key, Pace::CoarseFirst, move |_, _| Some(key))
+                .detail
+                != Some(Detail::Full)
+            {
+                wait(&announced);
+            }
+        }
+    }
+    slot.call_off();
+    open.send(()).unwrap();
+    while jobs.is_busy() {
+        wait(&announced);
+    }
+    let (answer, is_awaited) = slot.look(&1);
+    assert!(!is_awaited && answer.part.is_some_and(|part| part.share == 0.75));
+    assert_eq!(answer.value.as_deref(), Some(&vec![1, 2, 3]));
+}
+
+/// Where nobody can be shown it any more, it is given up.
+#[test]
+fn what_was_asked_of_a_slot_ends_with_it() {
+    let (mut jobs, announced) = pool();
+    for pace in [Pace::Background, Pace::Long] {
+        let mut slot = Slot::<u32, u32>::default();
+        slot.ask(&mut jobs, &1, pace, |_, watch| {
+            while !watch.is_stale() {
+                std::thread::yield_now();
+            }
+            None
+        });
+        drop(slot);
+        while jobs.is_busy() {
+            wait(&announced);
+        }
+    }
+}
+
+/// Without threads a long answer has a frame for itself.
+#[test]
+fn without_threads_each_frame_has_a_task() {
+    let clock: Clock = platform::seconds;
+    let mut jobs = Jobs::new(Some(clock), Pool::at_once(), || {});
+    for pace in [Pace::Short, Pace::Background, Pace::Long] {
+        let mut slot = Slot::<u32, u32>::default();
+        let mut ask = |jobs: &mut Jobs| slot.ask(jobs, &1, pace, |_, _| Some(1)).detail;
+        assert_eq!(ask(&mut jobs), None);
+        jobs.begin_frame();
+        assert_eq!(ask(&mut jobs), Some(Detail::Full));
+    }
+    let mut slot = Slot::<u32, u32>::default();
+    let answer = slot.ask(&mut jobs, &1, Pace::AtOnce, |_, _| Some(1));
+    assert_eq!(answer.detail, Some(Detail::Full));
 }

@@ -10,7 +10,7 @@ use crate::files::MAX_TEXT;
 use crate::session::{MAX_MATERIALS, Materials};
 use bxdf::Material;
 use bxdf::material::library;
-use bxdf_lab::timing::NoClock;
+use bxdf_lab::timing::Stopwatch::NoClock;
 use bxdf_lab::tradeoff::{FAMILIES, Family, Study, measure};
 
 mod own;
@@ -277,7 +277,7 @@ fn offered(id: &str) -> Vec<Material> {
     let study = Study::new(material, None);
     let is_of_material = |family: &&dyn Family| family.is_of_material();
     let families: Vec<&dyn Family> = FAMILIES.into_iter().filter(is_of_material).collect();
-    let report = measure(&study, &families, &NoClock, &|| true, &mut |_, _| {}).unwrap();
+    let report = measure(&study, &families, NoClock, &|| true, &mut |_, _| {}).unwrap();
     let points = report.families.into_iter().flat_map(|family| family.points);
     points.filter_map(|point| point.material).collect()
 }

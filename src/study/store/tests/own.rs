@@ -237,7 +237,7 @@ fn a_thread_keeps_the_session_and_its_failures_are_said_and_tried_again() {
     let folder = Folder::new("threads");
     let files = Failing::after(0, false);
     let store = Store::new(Arc::new(files.clone()), Some(folder.0.clone()));
-    let mut store = store.in_threads();
+    let mut store = store.in_threads(Pool::new());
     store.restore(fresh());
     // Until there is news; the clock stands still meanwhile.
     let news = |store: &mut Store, now: f64| loop {

@@ -12,6 +12,7 @@ use crate::scene3d::Scene;
 use crate::theme::{Palette, rgba};
 use bxdf::math::frame;
 use bxdf_lab::analysis::Channel;
+use bxdf_lab::analysis::deltas::Arrows;
 use bxdf_lab::analysis::lobe::Arrow;
 use bxdf_lab::analysis::lobe3d::Mesh;
 use bxdf_study::memo::{Memo, Same};
@@ -46,7 +47,7 @@ pub(super) fn requested(cx: &mut ViewContext<'_, Options>) -> Vec<Requested> {
     let request = |entry: &MaterialEntry| Requested {
         material: entry.id(),
         mesh: Same(data.ask(session, entry, request(session))),
-        arrows: Same(data.arrows(session, entry)),
+        arrows: Same(data.ask(session, entry, Arrows)),
     };
     session.materials.shown().map(request).collect()
 }

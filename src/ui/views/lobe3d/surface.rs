@@ -291,18 +291,19 @@ impl DrawnLobe {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bxdf_lab::analysis::deltas::Arrows;
     use bxdf_study::data::Data;
     use bxdf_study::session::MaterialEntry;
     use bxdf_study::views::lobe3d::request;
 
     fn lobes(session: &Session) -> Lobes {
-        let mut data = Data::new(None, || {});
+        let mut data = Data::at_once();
         let part = |entry: &MaterialEntry| Part {
             material: entry.id(),
             title: entry.title(),
             color: Color32::WHITE,
             mesh: data.ask(session, entry, request(session)),
-            arrows: data.arrows(session, entry),
+            arrows: data.ask(session, entry, Arrows),
         };
         Lobes::of(session.materials.shown().map(part).collect(), session)
     }

@@ -9,7 +9,7 @@ use crate::theme::{self, Dash};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{deltas as labels, draw};
-use bxdf_lab::analysis::deltas;
+use bxdf_lab::analysis::deltas::{self, Arrows};
 use bxdf_study::format;
 use bxdf_study::views::sampling::Options;
 
@@ -82,7 +82,7 @@ fn delta_stems(cx: &mut ViewContext<'_, Options>) -> Vec<chart::Stem> {
     let phi = cx.options.request(session).phi;
     let mut stems = Vec::new();
     for entry in session.materials.shown() {
-        let arrows = data.arrows(session, entry);
+        let arrows = data.ask(session, entry, Arrows);
         let (title, color) = (
             session.materials.title(entry),
             cx.palette.material(entry.slot()),

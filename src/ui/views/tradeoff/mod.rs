@@ -12,21 +12,21 @@ use super::context::ViewContext;
 use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
-use bxdf_lab::tradeoff::FAMILIES;
-use bxdf_study::tradeoff_run::{Run, State};
-use bxdf_study::views::tradeoff::{Options, TOLERANCE, wanted};
+use bxdf_lab::tradeoff::{FAMILIES, Report, Request};
+use bxdf_study::data::Ordered;
+use bxdf_study::jobs::Part;
+use bxdf_study::views::tradeoff::{Options, TOLERANCE, request};
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    let is_measured = || cx.data.tradeoff.is_of(cx.session, &wanted(cx.session));
-    let is_wanted = cx.options.is_immediate && !is_measured();
-    if is_wanted && !ui.ctx().egui_is_using_pointer() {
-        start(ui, cx);
+    let is_wanted = cx.options.is_immediate && !ui.ctx().egui_is_using_pointer();
+    if is_wanted && !is_measured(cx) {
+        start(cx);
     }
-    let state = cx.data.tradeoff.run().map(Run::state);
-    controls(ui, cx, state.as_ref());
-    let report = state.as_ref().and_then(|state| state.report.clone());
+    let ordered = cx.data.ordered::<Request>();
+    controls(ui, cx, ordered.as_ref());
+    let report = ordered.as_ref().and_then(|ordered| ordered.answer.clone());
     let Some(report) = report.filter(|report| !report.families.is_empty()) else {
-        let note = match state {
+        let note = match ordered {
             Some(_) => "Looking where the light of the material is …",
             None => {
                 "Press Measure: every choice a renderer has for this material is tried on this \
@@ -52,17 +52,22 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
 }
 
-fn start(ui: &Ui, cx: &mut ViewContext<'_, Options>) {
-    let wake = ui.ctx().clone();
+/// Whether what is measured, or being measured, is of what is selected and held.
+fn is_measured(cx: &mut ViewContext<'_, Options>) -> bool {
+    let request = request(cx.session, cx.state.stopwatch);
+    let selected = cx.session.materials.selected();
+    cx.data.is_ordered(selected, &request)
+}
+
+fn start(cx: &mut ViewContext<'_, Options>) {
     *cx.state.own::<Chosen>(cx.view) = None;
-    let (session, families) = (&*cx.session, wanted(cx.session));
-    let measured = &mut cx.data.tradeoff;
-    measured.start(session, families, move || wake.request_repaint());
+    let request = request(cx.session, cx.state.stopwatch);
+    cx.data.order(cx.session.materials.selected(), request);
 }
 
 /// The buttons, how far it is, and what is measured.
-fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, state: Option<&State>) {
-    let is_running = state.is_some_and(|state| !state.is_done);
+fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, ordered: Option<&Ordered<Report>>) {
+    let is_running = ordered.is_some_and(|ordered| ordered.is_awaited);
     ui.horizontal_wrapped(|ui| {
         if is_running {
             if ui
@@ -70,13 +75,13 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, state: Option<&State
                 .on_hover_text("Stop measuring; what is known stays")
                 .clicked()
             {
-                cx.data.tradeoff.cancel();
+                cx.data.call_off::<Request>();
             }
-            progress(ui, cx.data.tradeoff.run());
+            progress(ui, ordered.and_then(|ordered| ordered.part));
         } else {
             let hint = "Measure cost and error of every choice for the selected material";
             if ui.button("Measure").on_hover_text(hint).clicked() {
-                start(ui, cx);
+                start(cx);
             }
         }
         let options = &mut *cx.options;
@@ -88,9 +93,10 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, state: Option<&State
         shown.on_hover_text(hint).explain(ui);
         let hint = "Measure whenever another material is selected, or it changes";
         choice::switch(ui, ("At once", hint), &mut options.is_immediate);
-        if let Some(run) = cx.data.tradeoff.run() {
-            let title = run.order.material.title();
-            let is_selected = run.order.material == *cx.session.material();
+        if let Some(ordered) = ordered {
+            let material = &ordered.surface.material;
+            let title = material.title();
+            let is_selected = material == cx.session.material();
             let text = if is_selected {
                 title
             } else {
@@ -99,30 +105,31 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, state: Option<&State
             ui.label(RichText::new(text).weak());
         }
     });
-    families(ui, cx);
+    families(
+        ui,
+        cx,
+        ordered.and_then(|ordered| ordered.answer.as_deref()),
+    );
 }
 
-fn progress(ui: &mut Ui, run: Option<&Run>) {
-    let Some(run) = run else {
-        return;
-    };
-    let left = run.seconds_left();
+/// How far it is; no part is known yet at first.
+fn progress(ui: &mut Ui, part: Option<Part>) {
+    let left = part.and_then(|part| part.seconds_left);
     let text = left.map_or_else(
         || "measuring".to_owned(),
         |left| format!("about {left:.0} s left"),
     );
-    let bar = ProgressBar::new(run.state().share as f32);
+    let bar = ProgressBar::new(part.map_or(0.0, |part| part.share as f32));
     ui.add(bar.desired_width(theme::PROGRESS_WIDTH).text(text));
 }
 
 /// The families: each with its mark and whether it is wanted.
-fn families(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    let report = cx.data.tradeoff.report();
+fn families(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: Option<&Report>) {
     let options = &mut *cx.options;
     ui.horizontal_wrapped(|ui| {
         for (index, family) in FAMILIES.iter().enumerate() {
             let (color, _) = look(index, cx.palette);
-            let known = report.as_ref().and_then(|report| {
+            let known = report.and_then(|report| {
                 let mut families = report.families.iter();
                 families.find(|known| known.id == family.id())
             });

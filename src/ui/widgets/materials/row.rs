@@ -10,6 +10,7 @@ use super::action::{Action, grip_id, is_pressed};
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::badges::Badges;
 use crate::widgets::draw;
+use bxdf_lab::contract::PhysicalLaws;
 use bxdf_study::data::Data;
 use bxdf_study::session::{MaterialEntry, Materials};
 
@@ -59,7 +60,7 @@ impl Row<'_> {
         let size = vec2(theme::RESET_WIDTH, theme::GRIP.y);
         let is_in_sight = ui.is_rect_visible(Rect::from_center_size(ui.max_rect().center(), size));
         let checks = if is_in_sight {
-            data.checks(self.entry)
+            data.of_material(self.entry, PhysicalLaws)
         } else {
             None
         };

@@ -6,8 +6,9 @@ use bxdf::material::library::{self, Named};
 use bxdf::{Category, Material, ModelSpec};
 
 /// Which list is shown.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum List {
+    #[default]
     Models,
     Materials,
 }

@@ -11,6 +11,7 @@ use crate::theme;
 use bxdf::error::Result;
 use bxdf::material::library::Named;
 use bxdf::{Material, ModelSpec, Side};
+use bxdf_study::data::Data;
 use bxdf_study::session::{EntryId, MaterialEntry, Materials};
 use entry::{Entry, List};
 
@@ -20,6 +21,7 @@ mod entry;
 const LIST_SHARE: f32 = 0.45;
 
 /// What the picker keeps between frames.
+#[derive(Default)]
 pub struct Picker {
     list: List,
     search: String,
@@ -48,22 +50,6 @@ struct Typed {
 }
 
 impl Picker {
-    /// The picker. `is_at_once`: see [`Thumbnails::new`].
-    #[must_use]
-    pub fn new(is_at_once: bool) -> Self {
-        Self {
-            list: List::Models,
-            search: String::new(),
-            highlight: Highlight::default(),
-            shelf: Vec::new(),
-            scrolled_to: "",
-            thumbnails: Thumbnails::new(is_at_once),
-            beside: None,
-            is_folded: false,
-            is_adding: false,
-        }
-    }
-
     /// Lets the next choice be added, searched for by what is typed from here on; or not any more.
     pub fn start_adding(&mut self, ctx: &Context) {
         self.is_adding ^= true;
@@ -95,7 +81,7 @@ impl Picker {
     ///
     /// # Errors
     /// [`bxdf::Error::Limit`] where there are as many materials as a session has.
-    pub fn show(&mut self, ui: &mut Ui, materials: &mut Materials) -> Result<()> {
+    pub fn show(&mut self, ui: &mut Ui, materials: &mut Materials, data: &mut Data) -> Result<()> {
         self.follow(materials.selected());
         if self.is_adding {
             self.is_folded = false;
@@ -117,7 +103,7 @@ impl Picker {
         let next = self.highlight.at();
         let shown = next.filter(|_| typed.has_focus);
         let clicked = area.show(ui, |ui| {
-            self.entries(ui, &found, shown, materials.selected())
+            self.entries(ui, &found, shown, materials.selected(), data)
         });
         let entered = next.filter(|_| typed.is_entered);
         let entered = entered.and_then(|at| found.listed().get(at).copied());
@@ -282,11 +268,12 @@ impl Picker {
         found: &Found<Entry>,
         next: Option<usize>,
         selected: &MaterialEntry,
+        data: &mut Data,
     ) -> Option<Entry> {
         let is_moved = self.highlight.take_moved();
         let (mut chosen, mut index) = (None, 0);
         let mut show = |ui: &mut Ui, entry: &Entry| {
-            let row = self.row(ui, *entry, selected);
+            let row = self.row(ui, *entry, selected, data);
             if next == Some(index) {
                 let stroke = ui.visuals().selection.stroke;
                 ui.painter()
@@ -321,11 +308,17 @@ impl Picker {
     }
 
     /// A row.
-    fn row(&mut self, ui: &mut Ui, entry: Entry, selected: &MaterialEntry) -> Response {
+    fn row(
+        &mut self,
+        ui: &mut Ui,
+        entry: Entry,
+        selected: &MaterialEntry,
+        data: &mut Data,
+    ) -> Response {
         let is_chosen = !self.is_adding && entry.is_origin_of(&selected.material);
         let row = match entry {
             Entry::Model(model) => ui.selectable_label(is_chosen, title(model)),
-            Entry::Named(named) => self.pictured(ui, named, is_chosen),
+            Entry::Named(named) => self.pictured(ui, named, is_chosen, data),
         };
         let row = row.on_hover_text(entry.hint());
         if is_chosen && self.scrolled_to != entry.id() {
@@ -336,14 +329,20 @@ impl Picker {
     }
 
     /// A row with a picture; the name says it all to those who do not see.
-    fn pictured(&mut self, ui: &mut Ui, named: &'static Named, is_chosen: bool) -> Response {
+    fn pictured(
+        &mut self,
+        ui: &mut Ui,
+        named: &'static Named,
+        is_chosen: bool,
+        data: &mut Data,
+    ) -> Response {
         let salt = IdSalt::new(named.id);
         let picture = Atom::custom(salt, Vec2::splat(theme::THUMBNAIL_SIZE));
         let row = Button::selectable(is_chosen, (picture, named.material.name.as_str())).truncate();
         let row = row.atom_ui(ui);
         if let Some(rect) = row.rect(salt)
             && ui.is_rect_visible(rect)
-            && let Some(texture) = self.thumbnails.get(ui.ctx(), named)
+            && let Some(texture) = self.thumbnails.get(ui.ctx(), named, data)
         {
             let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
             ui.painter().image(texture, rect, whole, Color32::WHITE);

@@ -1,0 +1,48 @@
+//! The trade-off, asked as a query.
+
+use glam::DVec3;
+
+use super::FAMILIES;
+use super::bench::{Family, measure};
+use super::report::Report;
+use super::study::Study;
+use crate::analysis::{Basis, Detail, IsWanted, Pace, Query, Subject, Tell};
+use crate::timing::Stopwatch;
+
+/// What is measured of a material, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// The direction of view of the estimates, from the surface: a unit vector.
+    pub held: DVec3,
+    /// The ids of the families.
+    pub families: Vec<&'static str>,
+    /// What measures times.
+    pub stopwatch: Stopwatch,
+}
+
+impl Query for Request {
+    type Answer = Report;
+
+    const BASIS: Basis = Basis::Material;
+
+    const PACE: Pace = Pace::Long;
+
+    fn answer(&self, of: &Subject<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<Report> {
+        self.answer_in_parts(of, detail, is_wanted, &|_, _| {})
+    }
+
+    /// Tells the report so far after each point.
+    fn answer_in_parts(
+        &self,
+        of: &Subject<'_>,
+        _: Detail,
+        is_wanted: IsWanted<'_>,
+        tell: Tell<'_, Report>,
+    ) -> Option<Report> {
+        let study = Study::new(of.material?, Some(self.held));
+        let is_asked = |family: &&dyn Family| self.families.contains(&family.id());
+        let families: Vec<&dyn Family> = FAMILIES.into_iter().filter(is_asked).collect();
+        let mut tell = |report: &Report, share: f64| tell(report.clone(), share);
+        measure(&study, &families, self.stopwatch, is_wanted, &mut tell)
+    }
+}
