@@ -12,12 +12,13 @@ mod export;
 pub mod input;
 mod models;
 mod output;
-mod partial;
 mod render;
 #[cfg(all(feature = "gui", unix, not(target_vendor = "apple")))]
 mod restart;
 mod sample;
 mod say;
+#[cfg(unix)]
+mod signals;
 mod tradeoff;
 
 use std::any::TypeId;

@@ -1,12 +1,12 @@
 //! Where results go: standard output, or a file that appears only when it is complete.
 
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::is_standard_stream;
-use super::partial::Partial;
 use bxdf::error::{Error, Result};
+use bxdf_study::store::{Disk, Partial};
 
 /// How standard output is called in messages.
 const STANDARD_OUTPUT: &str = "standard output";
@@ -32,10 +32,15 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
 /// A stream of results. A file is written beside its place and moved there by [`Output::finish`]; dropped before, it
 /// leaves nothing behind.
 pub(super) struct Output {
-    stream: Box<dyn Write>,
+    stream: Stream,
     name: PathBuf,
-    /// The file that is written, and where it is to stand.
-    pending: Option<(Partial, PathBuf)>,
+}
+
+enum Stream {
+    /// What takes all that is written at once.
+    Open(Box<dyn Write>),
+    /// A file that appears when it is complete.
+    Whole(File, Partial<'static>),
 }
 
 impl Output {
@@ -58,26 +63,26 @@ impl Output {
             Ok(_) => {
                 let stream = OpenOptions::new().write(true).open(path).map_err(failed)?;
                 return Ok(Self {
-                    stream: Box::new(stream),
+                    stream: Stream::Open(Box::new(stream)),
                     name: path.to_owned(),
-                    pending: None,
                 });
             }
             Err(_) => path.to_owned(),
         };
-        let (partial, file) = Partial::create(&target).map_err(failed)?;
+        #[cfg(unix)]
+        super::signals::watch();
+        let partial = Partial::of(&Disk, &target).map_err(failed)?;
+        let file = File::create(partial.path()).map_err(failed)?;
         Ok(Self {
-            stream: Box::new(file),
+            stream: Stream::Whole(file, partial),
             name: path.to_owned(),
-            pending: Some((partial, target)),
         })
     }
 
     fn standard() -> Self {
         Self {
-            stream: Box::new(io::stdout().lock()),
+            stream: Stream::Open(Box::new(io::stdout().lock())),
             name: STANDARD_OUTPUT.into(),
-            pending: None,
         }
     }
 
@@ -85,26 +90,34 @@ impl Output {
     ///
     /// # Errors
     /// [`Error::Io`]; a file is then removed.
-    pub(super) fn finish(mut self) -> Result<()> {
-        let moved = self.stream.flush().and_then(|()| {
-            // Closed first: some systems do not move an open file.
-            self.stream = Box::new(io::sink());
-            match self.pending.take() {
-                Some((partial, target)) => partial.complete(&target),
-                None => Ok(()),
+    pub(super) fn finish(self) -> Result<()> {
+        let finished = match self.stream {
+            Stream::Open(mut stream) => stream.flush(),
+            Stream::Whole(file, partial) => {
+                let synced = file.sync_all();
+                // Closed first: some systems do not move an open file.
+                drop(file);
+                synced.and_then(|()| partial.complete())
             }
-        });
-        moved.map_err(|source| Error::io(&self.name, source))
+        };
+        finished.map_err(|source| Error::io(&self.name, source))
+    }
+
+    fn writer(&mut self) -> &mut dyn Write {
+        match &mut self.stream {
+            Stream::Open(stream) => stream,
+            Stream::Whole(file, _) => file,
+        }
     }
 }
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.stream.write(bytes)
+        self.writer().write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.stream.flush()
+        self.writer().flush()
     }
 }
 

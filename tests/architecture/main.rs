@@ -290,7 +290,7 @@ fn source_files_are_short() {
 }
 
 /// Where threads are begun: the pool, and what waits for signals while the command line writes files.
-const BEGINNERS: [&str; 2] = ["src/study/parallel.rs", "src/cli/partial.rs"];
+const BEGINNERS: [&str; 2] = ["src/study/parallel.rs", "src/cli/signals.rs"];
 
 #[test]
 fn one_pool_begins_all_threads() {

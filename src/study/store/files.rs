@@ -4,7 +4,6 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
-#[cfg(not(target_arch = "wasm32"))]
 use crate::files;
 
 /// What stands at a path.
@@ -65,11 +64,9 @@ pub trait Files: Send + Sync {
 }
 
 /// The files of this machine.
-#[cfg(not(target_arch = "wasm32"))]
 #[derive(Clone, Copy, Debug)]
 pub struct Disk;
 
-#[cfg(not(target_arch = "wasm32"))]
 impl Files for Disk {
     fn read(&self, path: &Path, limit: u64) -> io::Result<Vec<u8>> {
         files::read_bytes(File::open(path)?, limit)

@@ -17,13 +17,13 @@ use place::Places;
 mod dialogs;
 mod files;
 mod own;
+mod partial;
 mod place;
 
 pub use dialogs::{Answer, Dialogs, FileDialog};
-#[cfg(not(target_arch = "wasm32"))]
-pub use files::Disk;
-pub use files::{Files, Found};
+pub use files::{Disk, Files, Found};
 pub use own::{Keeping, News, Restored};
+pub use partial::{Partial, abandon_partial};
 
 /// The files opened last and the theme chosen, in the folder of the program's data.
 const PREFERENCES: &str = "preferences.toml";

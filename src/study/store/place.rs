@@ -10,8 +10,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use rustc_hash::FxHasher;
 
+use super::partial::Partial;
 use super::{Files, Found};
-use crate::files::{MAX_TEXT, temporary_beside, text_of};
+use crate::files::{MAX_TEXT, text_of};
 use crate::session::{self, Opened, Session};
 use bxdf::error::{Error, Result};
 
@@ -97,17 +98,13 @@ impl Places {
             }
             Ok(Found::File) | Err(_) => {}
         }
-        let temporary = temporary_beside(path).map_err(failed)?;
-        let written = self.files.write(&temporary, bytes);
+        let partial = Partial::of(&*self.files, path).map_err(failed)?;
+        let written = self.files.write(partial.path(), bytes);
         let moved = written.and_then(|()| make_room()).and_then(|()| {
             // Where this fails, what was there has another name by now, which is found at the next start.
-            self.files.rename(&temporary, path)
+            partial.complete()
         });
-        moved.map_err(|error| {
-            // The error that led here is the one to tell.
-            let _ = self.files.remove(&temporary);
-            failed(error)
-        })
+        moved.map_err(failed)
     }
 
     /// Makes the file at `path` its backup; a backup that cannot be read is set aside first.
