@@ -50,6 +50,7 @@ fn value(spec: &ParamSpec, [a, b, c]: [f64; 3]) -> Value {
             Value::Choice(spec.choices[(a * spec.choices.len() as f64).min(last as f64) as usize])
         }
         Kind::Bool => Value::Bool(a < 0.5),
+        Kind::Data => spec.default,
     }
 }
 

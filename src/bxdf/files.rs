@@ -6,10 +6,7 @@ use std::path::Path;
 
 use crate::encoding;
 use crate::error::{Error, Result};
-
-/// The most text that is read or written as one, in bytes: a session, a material, what is pasted. Room for some ten of the
-/// largest tables that the trade-off offers; a hundred times as much as is typed by hand.
-pub const MAX_TEXT: u64 = 32 << 20;
+use crate::limits::{MAX_DATA, MAX_TEXT, in_words};
 
 /// Reads `source` to its end, at most `limit` bytes of it.
 ///
@@ -53,6 +50,15 @@ pub fn text_at(path: &Path, wanted: &str) -> Result<String> {
     Ok(text)
 }
 
+/// Reads the file of data at `path`, at most [`MAX_DATA`].
+///
+/// # Errors
+/// [`Error::Io`] where it cannot be read or is longer.
+pub fn data_at(path: &Path) -> Result<Vec<u8>> {
+    let read = File::open(path).and_then(|file| read_bytes(file, MAX_DATA));
+    read.map_err(|error| Error::io(path, error))
+}
+
 /// `bytes`, in UTF-8 or UTF-16, as text; `place` names them in errors.
 ///
 /// # Errors
@@ -67,36 +73,6 @@ pub fn text_of(bytes: Vec<u8>, place: &Path) -> Result<String> {
         let place = place.display().to_string();
         Error::parse(place, "no text: neither a session nor a material")
     })
-}
-
-/// Refuses a text of so many bytes where it is longer than [`MAX_TEXT`]; `what` is its subject in the error.
-///
-/// # Errors
-/// [`Error::Limit`], naming size and limit.
-pub fn require_fit(what: &'static str, bytes: u64) -> Result<()> {
-    if bytes <= MAX_TEXT {
-        return Ok(());
-    }
-    Err(Error::Limit {
-        what,
-        value: format!("{} of text", in_words(bytes)),
-        limit: in_words(MAX_TEXT),
-    })
-}
-
-/// A size in words, in the unit that suits it.
-#[must_use]
-pub fn in_words(bytes: u64) -> String {
-    const MEBIBYTE: u64 = 1 << 20;
-    if bytes.is_multiple_of(MEBIBYTE) && bytes > 0 {
-        format!("{} MiB", bytes / MEBIBYTE)
-    } else if bytes > MEBIBYTE {
-        // Rounded up: what is over a limit never reads as the limit itself.
-        let tenths = (bytes * 10).div_ceil(MEBIBYTE);
-        format!("{}.{} MiB", tenths / 10, tenths % 10)
-    } else {
-        format!("{bytes} bytes")
-    }
 }
 
 #[cfg(test)]
@@ -115,15 +91,5 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(line.starts_with("picture: no text"), "{line}");
-    }
-
-    #[test]
-    fn sizes_are_told_from_their_limit() {
-        assert!(require_fit("the text", MAX_TEXT).is_ok());
-        let line = require_fit("the text", MAX_TEXT + 1)
-            .unwrap_err()
-            .to_string();
-        assert_eq!(line, "the text is 32.1 MiB of text; the limit is 32 MiB");
-        assert_eq!(in_words(700), "700 bytes");
     }
 }

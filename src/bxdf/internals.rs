@@ -22,7 +22,7 @@ pub mod fresnel {
 #[cfg(feature = "files")]
 pub mod files {
     pub use crate::encoding::utf8;
-    pub use crate::files::{MAX_TEXT, in_words, read_bytes, require_fit, text_at, text_of};
+    pub use crate::files::{data_at, read_bytes, text_at, text_of};
 }
 
 /// The part of the energy-preserving Oren-Nayar model's compensation that loses digits in the textbook's form.

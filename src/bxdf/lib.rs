@@ -38,7 +38,8 @@
 //! [`Scatterer::batch`] (`examples/histogram.rs`). Each model's file says where it comes from, where it departs from
 //! its source, and how far it is valid.
 //!
-//! There are no threads, no clock, and no files but in [`Material::open`], which the feature `files` brings.
+//! There are no threads, no clock, and no files but in [`Material::open`], which the feature `files` brings. Without it, what
+//! reads files is given to [`Material::fetch`].
 //!
 //! # Conventions
 //! * **Shading frame**: orthonormal (s, t, n), local x = s, y = t, z = n. theta is measured from n, phi from s in the
@@ -70,6 +71,7 @@ mod files;
 mod glossy;
 #[doc(hidden)]
 pub mod internals;
+pub mod limits;
 mod lobe;
 mod lobes;
 pub mod material;
@@ -78,6 +80,7 @@ mod microfacet;
 pub mod models;
 pub mod optics;
 pub mod param;
+pub mod resource;
 mod rotated;
 mod sample;
 mod scattering;
@@ -93,6 +96,7 @@ pub use material::{Component, Material};
 pub use math::{Real, Vec3};
 pub use optics::Spectrum;
 pub use param::{ParamSet, ParamSpec, Value};
+pub use resource::Resource;
 pub use rotated::Rotated;
 pub use sample::{Delta, Deltas, Sample};
 pub use scattering::{Bxdf, are_across, both_above, reflected_direction, sample_reflection};

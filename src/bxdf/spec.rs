@@ -69,8 +69,6 @@ pub struct Properties {
     pub relative_index: fn(&ParamSet) -> f64,
     /// The laws it breaks as published.
     pub declarations: &'static [Declaration],
-    /// Whether its values stand in a table.
-    pub takes_table: bool,
     /// By what factor errors exceed what the stability law allows: 1 for models that keep it; else the reason stands in their
     /// `# Validity`.
     pub stability_ratio: f64,
@@ -82,7 +80,6 @@ impl Properties {
         is_isotropic: |_| true,
         relative_index: |_| 1.0,
         declarations: &[],
-        takes_table: false,
         stability_ratio: 1.0,
     };
 
@@ -201,12 +198,7 @@ impl ModelSpec {
     /// The default parameters.
     #[must_use]
     pub fn defaults(&self) -> ParamSet {
-        let params = ParamSet::defaults(self.id, self.parameters);
-        if self.properties.takes_table {
-            params.taking_table()
-        } else {
-            params
-        }
+        ParamSet::defaults(self.id, self.parameters)
     }
 
     /// The model as the text form of a component, with these values and otherwise its defaults. `None` where it has no

@@ -57,6 +57,7 @@ impl From<&ParamSpec> for Parameter {
                 Value::Rgb(rgb) => json!(rgb),
                 Value::Choice(word) => word.into(),
                 Value::Bool(is_true) => is_true.into(),
+                Value::Data(_) => Json::Null,
             },
             min: numeric(spec.hard[0]),
             max: numeric(spec.hard[1]),

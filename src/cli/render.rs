@@ -198,8 +198,11 @@ fn session(request: &RenderArgs) -> Result<Session> {
         None => Session::default(),
         Some(path) => {
             let text = bxdf_study::files::text_at(path, SESSION_FILE)?;
-            let read = Session::read_toml(&text, &path.display().to_string())?;
-            read.left_out.iter().for_each(|line| say::say(line));
+            let mut read = Session::read_toml(&text, &path.display().to_string())?;
+            let folder = path.parent().unwrap_or(Path::new(""));
+            read.session.rooted_at(folder);
+            read.session.fetch(&bxdf_study::files::data_at);
+            read.remarks().iter().for_each(|line| say::say(line));
             read.session
         }
     };

@@ -6,6 +6,7 @@ pub mod decisions {}
 pub mod analysis;
 pub mod contract;
 pub mod control;
+pub mod formula_comparison;
 pub mod rounding;
 pub mod specimen;
 pub mod spectral;
@@ -13,4 +14,3 @@ pub mod speed;
 pub mod stability;
 pub mod timing;
 pub mod tradeoff;
-pub mod trial;

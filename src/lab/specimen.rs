@@ -6,7 +6,7 @@ use glam::DVec3;
 use serde::Serialize;
 use xprec::Df64;
 
-use bxdf::batch::{Columns, Job, Path};
+use bxdf::batch::Columns;
 use bxdf::math::{Real, frame};
 use bxdf::param::{ParamSet, ParamSpec, Value};
 use bxdf::{Category, Lobe, Material, ModelSpec, Scatterer, Side};
@@ -111,18 +111,9 @@ impl Specimen {
     /// The three channels of `f` and the density at `pairs` (wo, wi), in `f64`: the order of a law's quantities.
     #[must_use]
     pub fn values(&self, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 4]> {
-        let wo = Columns::from_rows(pairs.iter().map(|(wo, _)| wo.to_array()));
-        let wi = Columns::from_rows(pairs.iter().map(|(_, wi)| wi.to_array()));
-        let mut results = Columns::filled(0.0, pairs.len());
-        let [r, g, b, pdf] = results.slices_mut();
-        let job = Job::FPdf {
-            wo: wo.slices(),
-            wi: wi.slices(),
-            f: [r, g, b],
-            pdf,
-        };
-        self.double.batch(Path::Dispatched, job);
-        results.rows().collect()
+        let wo = Columns::directions(pairs.iter().map(|(wo, _)| *wo));
+        let wi = Columns::directions(pairs.iter().map(|(_, wi)| *wi));
+        self.double.values_and_densities(&wo, &wi).rows().collect()
     }
 
     /// `material`: its model where that is all, else all its components together.
@@ -279,7 +270,7 @@ fn neighbour(
         let value = match value {
             Value::Number(x) => Value::Number(x * factor),
             Value::Rgb(rgb) => Value::Rgb(rgb.map(|x| x * factor)),
-            Value::Choice(_) | Value::Bool(_) => return None,
+            Value::Choice(_) | Value::Bool(_) | Value::Data(_) => return None,
         };
         let mut moved = params.clone();
         moved.set(spec.name, value).ok()?;

@@ -40,17 +40,26 @@ impl Cursor {
         })
     }
 
-    /// The material pointed at; the selected one where it is no longer there, or hidden.
+    /// The material pointed at; the selected one where it is no longer there, or hidden; of what is not here nothing is read.
     #[must_use]
     pub fn entry<'a>(&self, session: &'a Session) -> &'a MaterialEntry {
         let mut shown = session.materials.shown();
         let pointed = shown.find(|entry| entry.id() == self.material);
-        pointed.unwrap_or_else(|| session.materials.selected())
+        let selected = session.materials.selected();
+        let first_shown = || session.materials.shown().next();
+        let is_here = selected.material.lack().is_none();
+        let other = if is_here { None } else { first_shown() };
+        pointed.or(other).unwrap_or(selected)
     }
 
-    /// The value there: f in 1/sr (times the cosine, if shown so), per channel; its limit at the horizon.
+    /// The value there: f in 1/sr (times the cosine, if shown so), per channel; its limit at the horizon. No number where
+    /// the material lacks its data.
     pub fn value(&self, session: &Session, data: &mut Data) -> [f64; 3] {
-        let surface = data.surface(session, self.entry(session));
+        let entry = self.entry(session);
+        if entry.material.lack().is_some() {
+            return [f64::NAN; 3];
+        }
+        let surface = data.surface(session, entry);
         let lobe = HeldLobe::new(&*surface.bxdf, session.hold, session.held());
         let cosine = if session.with_cosine {
             self.direction.z.abs()

@@ -241,6 +241,10 @@ impl Data {
         against: Option<&MaterialEntry>,
         query: Q,
     ) -> Arc<Q::Answer> {
+        // Of what is not here nothing can be said.
+        if entry.material.lack().is_some() {
+            return Arc::default();
+        }
         let surface = self.surface(session, entry);
         let against = against.map(|against| self.surface(session, against));
         let asked = Asked::held_in(session, surface, against, query);
@@ -275,6 +279,9 @@ impl Data {
         rotation_deg: Option<f64>,
         query: Q,
     ) -> Option<Arc<Q::Answer>> {
+        if material.lack().is_some() {
+            return None;
+        }
         let answers = self.answers.entry(of).or_default();
         let asked = Asked::of(answers.surface(material, rotation_deg), query);
         let answer = self.answer(of, &asked);
@@ -295,6 +302,9 @@ impl Data {
     pub fn order<Q: Query>(&mut self, entry: &MaterialEntry, query: Q) {
         const { assert!(matches!(Q::BASIS, Basis::Material)) };
         self.orders.remove(&TypeId::of::<Q>());
+        if entry.material.lack().is_some() {
+            return;
+        }
         let answers = self.answers.entry(Of::Entry(entry.id())).or_default();
         let asked = Asked::of(answers.surface(&entry.material, None), query);
         let mut order = Asking::default();

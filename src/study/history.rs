@@ -53,6 +53,12 @@ impl History {
         self.present.clone_from(session);
     }
 
+    /// Changes every state alike: for what is no edit, as data that has come meanwhile.
+    pub fn change_all(&mut self, mut change: impl FnMut(&mut Session)) {
+        let states = self.past.iter_mut().chain(&mut self.future);
+        states.chain([&mut self.present]).for_each(&mut change);
+    }
+
     /// The state at the end of the last frame.
     #[must_use]
     pub fn present(&self) -> &Session {

@@ -16,6 +16,7 @@ pub mod memo;
 pub mod number;
 pub mod parallel;
 pub mod platform;
+pub mod readers;
 pub mod session;
 pub mod store;
 pub mod views;

@@ -7,6 +7,7 @@ use std::task::{Context, Poll, Waker};
 
 use rfd::{AsyncFileDialog, FileHandle};
 
+use bxdf_study::readers::{self, Reader};
 use bxdf_study::store::{Answer, Dialogs, FileDialog};
 
 /// The files of sessions and materials: what they are called, and what their names end in.
@@ -20,6 +21,26 @@ pub struct Native {
     open: Option<(FileDialog, Pending)>,
 }
 
+/// `dialog` for all that can be opened: of every format, of each, and whatever it is called.
+fn with_readers(dialog: AsyncFileDialog) -> AsyncFileDialog {
+    let readers = readers::all();
+    // Dialogs may tell capitals from small letters.
+    let endings = |reader: &dyn Reader| {
+        let own = reader.extensions().iter();
+        own.flat_map(|own| [(*own).to_owned(), own.to_uppercase()])
+            .collect::<Vec<_>>()
+    };
+    let all: Vec<String> = readers
+        .iter()
+        .flat_map(|reader| endings(&**reader))
+        .collect();
+    let mut dialog = dialog.add_filter("All that can be opened", &all);
+    for reader in &readers {
+        dialog = dialog.add_filter(reader.title(), &endings(&**reader));
+    }
+    dialog.add_filter("Any file", &["*"])
+}
+
 impl Dialogs for Native {
     fn ask(&mut self, wanted: FileDialog) {
         if self.open.is_some() {
@@ -28,11 +49,8 @@ impl Dialogs for Native {
         listener::listen();
         let dialog = AsyncFileDialog::new();
         let answer: Pending = match &wanted {
-            FileDialog::Open => {
-                let dialog = dialog.add_filter(SESSIONS.0, SESSIONS.1);
-                Box::pin(dialog.add_filter("Any file", &["*"]).pick_file())
-            }
-            FileDialog::Save(name) => {
+            FileDialog::Open => Box::pin(with_readers(dialog).pick_file()),
+            FileDialog::Save(name) | FileDialog::SaveWithData(name) => {
                 let dialog = dialog.add_filter(SESSIONS.0, SESSIONS.1);
                 Box::pin(dialog.set_file_name(name).save_file())
             }

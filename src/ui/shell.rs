@@ -238,6 +238,7 @@ impl eframe::App for App {
         }
         commands::run_pressed(self, ui.ctx());
         self.take_what_comes(ui.ctx());
+        self.fetch_data(ui.ctx());
         Panel::top("top").show(ui, |ui| self.show_top(ui));
         Panel::bottom("status").show(ui, |ui| {
             let selected = self.session.materials.selected();

@@ -175,7 +175,7 @@ struct Panes<'a, 'b> {
 /// What can be done to a view, beside what its place offers. Returns what was chosen.
 fn tab_menu(ui: &mut Ui, views: &Views, view: ViewId) -> Option<Wish> {
     let mut wished = None;
-    let hint = "Another one like it, beside it: the two can then be set differently";
+    let hint = "Open a copy beside it, with settings of its own";
     let button = ui.add_enabled(views.has_room(), egui::Button::new("Duplicate"));
     if button.on_hover_text(hint).clicked() {
         wished = Some(Wish::Duplicate);
@@ -183,7 +183,7 @@ fn tab_menu(ui: &mut Ui, views: &Views, view: ViewId) -> Option<Wish> {
     let mut options = views.get(view).cloned();
     if let Some(section) = options.as_mut().and_then(Options::own_section) {
         let hint =
-            "Whether it shows a section at an azimuth that is its own, whatever the others show";
+            "Give it a section at an azimuth of its own, whatever the other views show";
         let mut is_own = section.0.is_some();
         let switch = ui.checkbox(&mut is_own, "Own section");
         if switch.on_hover_text(hint).clicked() {
@@ -201,7 +201,7 @@ fn caption(ui: &mut Ui, view: &ViewKind, title: &str) -> Option<Wish> {
     let room = egui::vec2(width, ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(room, egui::Layout::right_to_left(egui::Align::TOP), |ui| {
         let menu = ui.menu_button(RichText::new("Export").small(), |ui| {
-            let hint = "Put the picture that the file would hold into the clipboard";
+            let hint = "Copy the picture that would be exported";
             if ui.button("Copy picture").on_hover_text(hint).clicked() {
                 wished = Some(Wish::CopyPicture);
             }

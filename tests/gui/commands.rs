@@ -56,7 +56,7 @@ fn what_a_single_key_did_is_said_for_two_seconds() {
         (Key::A, "Angles of the held direction: on"),
         (Key::S, "Shown alone: Gold"),
         (Key::R, "R, G and B: on"),
-        (Key::S, "All materials are shown that are not hidden"),
+        (Key::S, "All materials are shown but those hidden"),
         (Key::R, "Not possible now: Luminance, or R, G and B"),
     ] {
         press(&mut harness, Modifiers::NONE, key);
@@ -175,7 +175,7 @@ fn a_command_is_searched_and_run() {
     search(&mut harness, "xyzzy");
     assert!(
         harness
-            .query_by_label_contains("No command has these words")
+            .query_by_label_contains("No command matches")
             .is_some()
     );
     press(&mut harness, Modifiers::NONE, Key::Escape);

@@ -83,7 +83,7 @@ pub(super) fn work_on(
     script
 }
 
-fn file_menu(harness: &mut Harness<'_, App>, items: &[&str]) {
+pub(super) fn file_menu(harness: &mut Harness<'_, App>, items: &[&str]) {
     for item in ["File"].iter().chain(items) {
         harness.get_by_label(item).click();
         harness.run();
@@ -95,7 +95,7 @@ pub(super) fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: K
     harness.run();
 }
 
-fn drop_file(harness: &mut Harness<'_, App>, path: &Path) {
+pub(super) fn drop_file(harness: &mut Harness<'_, App>, path: &Path) {
     let file: Arc<dyn egui::DroppedFile + Send + Sync> = Arc::new(Dropped(path.to_owned()));
     harness.input_mut().dropped_files.push(file);
     harness.run();

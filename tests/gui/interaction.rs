@@ -76,7 +76,7 @@ fn searching_narrows_the_list_and_edits_are_kept() {
     harness.run();
     assert!(
         harness
-            .query_by_label_contains("No model or material has these words")
+            .query_by_label_contains("No model or material matches")
             .is_some()
     );
     for _ in 0..8 {

@@ -7,9 +7,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use brdf_explorer::bxdf::Material;
 use brdf_explorer::bxdf::material::Component;
+use brdf_explorer::bxdf::resource::Decoded;
 use brdf_explorer::bxdf::table::{Shape, Table};
+use brdf_explorer::bxdf::{Material, Resource};
 use brdf_explorer::study::export::Format;
 use brdf_explorer::study::platform;
 use brdf_explorer::study::session::Session;
@@ -244,7 +245,10 @@ fn long_material(nodes: usize) -> Material {
     let shape = Shape::of(nodes, true).unwrap();
     let table = Table::bake(&*bxdf, shape, u64::MAX).unwrap();
     let mut component: Component = "table".parse().unwrap();
-    component.set_table(Arc::new(table)).unwrap();
+    let decoded = Arc::new(Decoded::table(table));
+    component
+        .set_resource("data", Resource::inline(decoded))
+        .unwrap();
     Material::from(component)
 }
 
@@ -335,7 +339,7 @@ fn a_session_of_a_newer_program_is_told_of_in_lines_and_stays() {
     work_in(&mut harness, &folder);
     let lines = [
         "a newer one is needed",
-        "is then kept as session.toml.unreadable-1",
+        "then kept as session.toml.unreadable-1",
         "this is a new session",
     ];
     let heights = lines.map(|line| harness.get_by_label_contains(line).rect().center().y);

@@ -9,6 +9,7 @@
 
 mod badges;
 mod commands;
+mod data;
 mod deltas;
 mod drawing;
 mod export;

@@ -139,7 +139,7 @@ fn names(spec: &ParamSpec) -> Vec<(String, Option<usize>)> {
             .enumerate()
             .map(|(index, letter)| (format!("{} {letter}", spec.label()), Some(index)))
             .collect(),
-        Kind::Choice | Kind::Bool => Vec::new(),
+        Kind::Choice | Kind::Bool | Kind::Data => Vec::new(),
     }
 }
 

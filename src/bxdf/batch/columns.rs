@@ -2,6 +2,10 @@
 
 use std::cell::Cell;
 
+use glam::DVec3;
+
+use crate::math::Real;
+
 /// Bytes by which each column starts further within its page than the one before: thirteen lines of a cache, so that 64
 /// columns start on 64 different lines of a page before one starts where the first does.
 const STAGGER: usize = 832;
@@ -140,6 +144,14 @@ impl<R: Copy, const N: usize> Columns<R, N> {
         own.iter().enumerate().map(move |(index, first)| {
             columns.map(|column| column.get(index).copied().unwrap_or(*first))
         })
+    }
+}
+
+impl<R: Real> Columns<R, 3> {
+    /// These directions, rounded to `R`.
+    #[must_use]
+    pub fn directions(all: impl IntoIterator<Item = DVec3, IntoIter: ExactSizeIterator>) -> Self {
+        Self::from_rows(all.into_iter().map(|w| w.to_array().map(R::of)))
     }
 }
 

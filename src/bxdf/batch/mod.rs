@@ -20,6 +20,7 @@ use crate::math::Real;
 mod columns;
 mod job;
 mod kernels;
+mod owned;
 
 pub use columns::Columns;
 pub use job::{Directions, Job, Path, TripleMut};

@@ -1,15 +1,12 @@
 //! A model at its parameters, with its weight in a material; its text form is `id:name=value,name=value`.
 
 use std::fmt;
-use std::str::FromStr;
-use std::sync::Arc;
 
 use crate::batch::Scatterer;
-use crate::catalogue::Catalogue;
-use crate::error::{Error, Result, shown};
+use crate::error::{Error, Result};
 use crate::param::{ParamSet, ParamSpec, Value};
+use crate::resource::Resource;
 use crate::spec::{ModelSpec, Precision, StandIn};
-use crate::table::Table;
 
 /// The most components a material may have.
 pub const MAX_COMPONENTS: usize = 8;
@@ -44,6 +41,19 @@ impl Component {
             params: model.defaults(),
             weight: 1.0,
         }
+    }
+
+    /// `model` at these parameters.
+    ///
+    /// # Errors
+    /// Where the model refuses the combination.
+    pub(super) fn at(model: &'static ModelSpec, params: ParamSet) -> Result<Self> {
+        (model.validate)(&params)?;
+        Ok(Self {
+            model,
+            params,
+            weight: 1.0,
+        })
     }
 
     /// The factor on its value, within the range of [`WEIGHT`]; 1 at first.
@@ -121,12 +131,17 @@ impl Component {
         })
     }
 
-    /// Sets the table of a model whose values stand in one.
+    /// Sets the data of a parameter.
     ///
     /// # Errors
-    /// [`Error::UnknownId`] for another model; the component is then unchanged.
-    pub fn set_table(&mut self, table: Arc<Table>) -> Result<()> {
-        self.change(|params| params.set_table(table))
+    /// As [`ParamSet::set_resource`], and where the model refuses the combination; the component is then unchanged.
+    pub fn set_resource(&mut self, name: &str, resource: Resource) -> Result<()> {
+        self.change(|params| params.set_resource(name, resource))
+    }
+
+    /// Changes the data of all its parameters.
+    pub fn map_resources(&mut self, change: &mut dyn FnMut(&'static ParamSpec, &mut Resource)) {
+        self.params.map_resources(change);
     }
 
     fn change(&mut self, change: impl FnOnce(&mut ParamSet) -> Result<()>) -> Result<()> {
@@ -186,86 +201,6 @@ impl fmt::Debug for Component {
 impl fmt::Display for Component {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.params.component())
-    }
-}
-
-impl FromStr for Component {
-    type Err = Error;
-
-    /// Reads `id` or `id:name=value,name=value`, weight 1; all parameters together must be allowed, their order does not matter.
-    fn from_str(text: &str) -> Result<Self> {
-        let (id, assignments) = text.split_once(':').unwrap_or((text, ""));
-        let mut component = Assignments::of(Catalogue::current().find(id.trim())?);
-        for assignment in assignments
-            .split(',')
-            .map(str::trim)
-            .filter(|part| !part.is_empty())
-        {
-            let (name, value) = assignment.split_once('=').ok_or_else(|| {
-                Error::parse(
-                    format!("material '{}'", shown(text)),
-                    format!("'{}' is not name=value", shown(assignment)),
-                )
-            })?;
-            component.set(name.trim(), value.trim())?;
-        }
-        component.finish()
-    }
-}
-
-/// A component whose parameters are given one by one, by name, in any order: all together must be allowed, and none may be
-/// given twice.
-pub(super) struct Assignments {
-    model: &'static ModelSpec,
-    params: ParamSet,
-    /// What is given: a parameter, and the name under which it was.
-    given: Vec<(String, String)>,
-}
-
-impl Assignments {
-    /// `model`, nothing given yet.
-    pub(super) fn of(model: &'static ModelSpec) -> Self {
-        Self {
-            model,
-            params: model.defaults(),
-            given: Vec::new(),
-        }
-    }
-
-    /// Sets a parameter from its text, which is that of one value whatever it holds.
-    ///
-    /// # Errors
-    /// As [`ParamSet::set_text`], and [`Error::Parse`] where the parameter was given before, by this or another name.
-    pub(super) fn set(&mut self, name: &str, text: &str) -> Result<()> {
-        let targets = self.params.targets(name);
-        for target in &targets {
-            if let Some((_, before)) = self.given.iter().find(|(given, _)| given == target) {
-                let problem = if before == name {
-                    format!("{} is given twice", shown(name))
-                } else {
-                    format!("{before} and {name} both set {target}")
-                };
-                return Err(Error::parse(self.model.id, problem));
-            }
-        }
-        self.params.set_text(name, text)?;
-        let given = targets.into_iter();
-        self.given
-            .extend(given.map(|target| (target.to_owned(), name.to_owned())));
-        Ok(())
-    }
-
-    /// The component, of weight 1.
-    ///
-    /// # Errors
-    /// Where the model refuses the combination.
-    pub(super) fn finish(self) -> Result<Component> {
-        (self.model.validate)(&self.params)?;
-        Ok(Component {
-            model: self.model,
-            params: self.params,
-            weight: 1.0,
-        })
     }
 }
 
@@ -330,6 +265,7 @@ mod tests {
                     .map(|word| Value::Choice(word))
                     .collect(),
                 Kind::Bool => vec![Value::Bool(false), Value::Bool(true)],
+                Kind::Data => vec![Value::Data(false)],
             };
             for value in values {
                 let mut changed = Component::of(model);

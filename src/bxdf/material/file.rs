@@ -20,15 +20,13 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::component::Assignments;
+use super::assignments::Assignments;
+use super::printed::DESCRIPTIONS;
+pub use super::printed::print;
 use super::{Component, Material, WEIGHT};
 use crate::catalogue::Catalogue;
 use crate::error::{Error, Result, shown};
-use crate::param;
-use crate::param::Kind;
-
-/// The keys that describe a material and do not change it, in the order in which they are printed.
-const DESCRIPTIONS: [&str; 3] = ["name", "note", "source"];
+use crate::resource::{Origin, Recipe, Resource, Stored};
 
 /// The most bytes of a description: some pages. They are laid out whole, and one of many megabytes stops the screen.
 pub const MAX_DESCRIPTION: usize = 1 << 14;
@@ -75,6 +73,20 @@ impl Reader<'_> {
         let mut weight = None;
         for (key, value) in table.iter().filter(|(key, _)| key.get_ref() != "model") {
             let name = key.get_ref();
+            if let Some(spec) = assignments.data(name) {
+                let stored = Stored {
+                    decoders: spec.decoders,
+                };
+                let set = |resource: Resource| {
+                    if let Origin::Baked(recipe) = resource.origin() {
+                        of_recipe(recipe)?;
+                    }
+                    assignments.set_resource(name, resource)
+                };
+                let set = stored.value(value.get_ref()).and_then(set);
+                set.map_err(|error| self.error(value.span(), error.to_string()))?;
+                continue;
+            }
             let word = word_of(value.get_ref()).ok_or_else(|| {
                 let problem = format!("{} is no number, colour, word or truth value", shown(name));
                 self.error(value.span(), problem)
@@ -173,6 +185,23 @@ pub fn parse(text: &str, place: &str) -> Result<Material> {
     })
 }
 
+/// The material that a recipe names.
+///
+/// # Errors
+/// What the readers of materials refuse, and a material that has data itself.
+pub(super) fn of_recipe(recipe: &Recipe) -> Result<Material> {
+    let text = recipe.text();
+    let material = if text.contains("lobes") {
+        parse(text, "baked")?
+    } else {
+        text.parse::<Material>()?
+    };
+    if material.has_data() {
+        return Err(Error::parse("baked", "a material that has data itself"));
+    }
+    Ok(material)
+}
+
 /// A value as the command line has it: a number, `r/g/b`, a word.
 fn word_of(value: &DeValue<'_>) -> Option<String> {
     match value {
@@ -195,53 +224,6 @@ fn number_of<'a>(value: &'a DeValue<'_>) -> Option<&'a str> {
         DeValue::Integer(number) if number.radix() == 10 => Some(number.as_str()),
         DeValue::Float(number) => Some(number.as_str()),
         _ => None,
-    }
-}
-
-/// `material` as TOML text, which [`parse`] reads back as the same.
-#[must_use]
-pub fn print(material: &Material) -> String {
-    table(material).to_string()
-}
-
-/// `material` as a TOML table; parameters that have their default are left out.
-pub(super) fn table(material: &Material) -> toml::Table {
-    let mut table = toml::Table::new();
-    let descriptions = [&material.name, &material.note, &material.source];
-    for (key, text) in DESCRIPTIONS.into_iter().zip(descriptions) {
-        if !text.is_empty() {
-            table.insert(key.to_owned(), text.clone().into());
-        }
-    }
-    let lobes = material.components().iter().map(lobe_table);
-    table.insert("lobes".to_owned(), toml::Value::Array(lobes.collect()));
-    table
-}
-
-fn lobe_table(component: &Component) -> toml::Value {
-    let mut table = toml::Table::new();
-    table.insert("model".to_owned(), component.model().id.into());
-    if component.weight() != 1.0 {
-        table.insert(WEIGHT.name.to_owned(), component.weight().into());
-    }
-    for (spec, value) in component.params().iter() {
-        if value != spec.default {
-            table.insert(spec.name.to_owned(), toml_value(spec.kind, value));
-        }
-    }
-    if let Some(data) = component.params().table() {
-        table.insert(param::DATA.to_owned(), data.to_string().into());
-    }
-    table.into()
-}
-
-fn toml_value(kind: Kind, value: param::Value) -> toml::Value {
-    match value {
-        param::Value::Number(number) => number.into(),
-        param::Value::Rgb([r, g, b]) if kind == Kind::Rgb && r == g && g == b => r.into(),
-        param::Value::Rgb(rgb) => rgb.to_vec().into(),
-        param::Value::Choice(word) => word.into(),
-        param::Value::Bool(flag) => flag.into(),
     }
 }
 

@@ -2,8 +2,23 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-use super::{Material, file};
+use super::{Material, file, printed};
 use crate::error::{Error, Result};
+
+impl Material {
+    /// The material as the text of a component, where that says all.
+    pub(crate) fn as_line(&self) -> Option<String> {
+        let said = [&self.name, &self.note, &self.source];
+        let is_bare = said.iter().all(|text| text.is_empty()) && !self.has_data();
+        self.only().filter(|_| is_bare).map(ToString::to_string)
+    }
+
+    /// The material as text: `id:name=value,name=value` where that says all, else the text of its file.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        self.as_line().unwrap_or_else(|| printed::print(self))
+    }
+}
 
 /// How a material stands in a session: as text where that says all, else as the table of its file.
 #[derive(Serialize, Deserialize)]
@@ -15,12 +30,9 @@ enum Form {
 
 impl From<&Material> for Form {
     fn from(material: &Material) -> Self {
-        let is_bare = [&material.name, &material.note, &material.source]
-            .iter()
-            .all(|text| text.is_empty());
-        match material.only() {
-            Some(only) if is_bare => Self::Text(only.to_string()),
-            _ => Self::Table(file::table(material)),
+        match material.as_line() {
+            Some(line) => Self::Text(line),
+            None => Self::Table(printed::table(material)),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Materials: weighted sums of models, by name, as text and as files.
 
+mod assignments;
 mod component;
+pub mod data;
 pub(crate) mod embedded;
 pub mod file;
 mod form;
@@ -11,13 +13,17 @@ mod mixed_values;
 mod mixture;
 #[cfg(feature = "files")]
 mod open;
+mod printed;
 
 use std::fmt;
+use std::path::Path;
 use std::str::FromStr;
 
 use crate::batch::Scatterer;
 use crate::error::{Error, Result};
 use crate::lobe::{Category, Side};
+use crate::param::ParamSpec;
+use crate::resource::Resource;
 use crate::spec::{ModelSpec, Precision};
 
 pub use component::{Component, MAX_COMPONENTS, WEIGHT};
@@ -185,11 +191,60 @@ impl Material {
         })
     }
 
-    /// Whether the values of a component stand in a table: its text is long then.
+    /// The data of its components, each with the spec of its parameter.
+    pub fn resources(&self) -> impl Iterator<Item = (&'static ParamSpec, &Resource)> {
+        let components = self.components.iter();
+        components.flat_map(|component| component.params().resources())
+    }
+
+    /// Changes the data of its components.
+    pub fn map_resources(&mut self, change: &mut dyn FnMut(&'static ParamSpec, &mut Resource)) {
+        for component in &mut self.components {
+            component.map_resources(change);
+        }
+    }
+
+    /// Whether it has data: values from a file, or baked.
     #[must_use]
-    pub fn holds_table(&self) -> bool {
-        let mut components = self.components.iter();
-        components.any(|component| component.params().table().is_some())
+    pub fn has_data(&self) -> bool {
+        self.resources().next().is_some()
+    }
+
+    /// Whether all its data is here.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        let mut resources = self.resources();
+        resources.all(|(_, resource)| resource.decoded().is_some())
+    }
+
+    /// Why it is not complete, as a phrase about the first data that is not here.
+    #[must_use]
+    pub fn lack(&self) -> Option<String> {
+        let mut resources = self.resources();
+        let lacking = resources.find(|(_, resource)| resource.decoded().is_none());
+        lacking.and_then(|(_, resource)| resource.problem())
+    }
+
+    /// The material with all data that is here in its text, which then needs no file.
+    #[must_use]
+    pub fn with_data(&self) -> Self {
+        let mut whole = self.clone();
+        whole.map_resources(&mut |_, resource| resource.embed());
+        whole
+    }
+
+    /// Names files from the root on that are named from `folder` on.
+    pub fn rooted_at(&mut self, folder: &Path) {
+        self.map_resources(&mut |_, resource| {
+            resource.map_path(|path| path.is_relative().then(|| folder.join(path)));
+        });
+    }
+
+    /// Names files from `folder` on, where they lie in it.
+    pub fn relative_to(&mut self, folder: &Path) {
+        self.map_resources(&mut |_, resource| {
+            resource.map_path(|path| path.strip_prefix(folder).ok().map(Path::to_owned));
+        });
     }
 
     /// Whether all its lobes are Dirac deltas, so that `f` and `pdf` are 0 everywhere.

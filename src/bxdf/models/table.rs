@@ -18,9 +18,12 @@ use crate::math::warp;
 use crate::microfacet::ggx::Ggx;
 use crate::microfacet::{Normals, Pair, evaluated_by_pair};
 use crate::optics::Spectrum;
-use crate::param::ParamSet;
+use crate::param::{ParamSet, ParamSpec};
 use crate::sample_reflection;
-use crate::table::Table;
+use crate::table::{self, Table};
+
+/// The name of its parameter.
+const DATA: &str = "data";
 
 /// What stands in the table before one is read, in 1/sr: four fifths of the light are reflected at most.
 const EVEN: f32 = 0.4 * std::f32::consts::FRAC_1_PI;
@@ -33,14 +36,16 @@ pub(super) static SPEC: ModelSpec = ModelSpec {
     summary: "A surface as values over half vector and difference, and straight lines between them: what was measured, or \
               another model baked by the trade-off; before a file brings one, the law of Lommel and Seeliger",
     lobes: &[Lobe::reflection(Category::GlossySpecular)],
-    parameters: &[],
+    parameters: &[ParamSpec::data(
+        DATA,
+        &[&table::TABLE],
+        "The values: those of a file, or of a material that was baked",
+    )],
     properties: Properties {
         is_isotropic: |params| {
-            params
-                .table()
-                .is_none_or(|table| table.shape().is_isotropic())
+            let table = params.data::<Table>(DATA);
+            table.is_none_or(|table| table.shape().is_isotropic())
         },
-        takes_table: true,
         ..Properties::PLAIN
     },
     validate: ModelSpec::any,
@@ -57,8 +62,8 @@ struct Baked<R> {
 
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let table = params
-        .table()
-        .map_or_else(|| Arc::new(Table::even(EVEN)), Arc::clone);
+        .data::<Table>(DATA)
+        .unwrap_or_else(|| Arc::new(Table::even(EVEN)));
     let alpha = R::of(table.alpha());
     Box::new(Baked {
         normals: Ggx::new(alpha, alpha),

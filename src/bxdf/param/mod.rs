@@ -5,9 +5,12 @@
 
 use std::fmt;
 
+use crate::resource::{Decoder, decoders_in_words};
+
+mod data;
 mod set;
 
-pub use set::{DATA, ParamSet};
+pub use set::ParamSet;
 
 /// The kind of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +23,8 @@ pub enum Kind {
     Choice,
     /// True or false.
     Bool,
+    /// Data from a file, or baked.
+    Data,
 }
 
 impl Kind {
@@ -31,6 +36,7 @@ impl Kind {
             Self::Rgb => "rgb",
             Self::Choice => "choice",
             Self::Bool => "bool",
+            Self::Data => "data",
         }
     }
 }
@@ -98,6 +104,8 @@ pub enum Value {
     Choice(&'static str),
     /// True or false.
     Bool(bool),
+    /// Whether there is data; what it is, [`ParamSet::resource`] says.
+    Data(bool),
 }
 
 impl fmt::Display for Value {
@@ -107,7 +115,7 @@ impl fmt::Display for Value {
             Self::Rgb([r, g, b]) if r == g && g == b => write!(f, "{r}"),
             Self::Rgb([r, g, b]) => write!(f, "{r}/{g}/{b}"),
             Self::Choice(word) => f.write_str(word),
-            Self::Bool(b) => write!(f, "{b}"),
+            Self::Bool(b) | Self::Data(b) => write!(f, "{b}"),
         }
     }
 }
@@ -138,6 +146,8 @@ pub struct ParamSpec {
     pub choices: &'static [&'static str],
     /// What it means, for tooltips and documentation.
     pub meaning: &'static str,
+    /// What reads its data (data).
+    pub decoders: &'static [&'static Decoder],
     /// Where the parameter has an effect only for some value of a choice.
     pub relevant_when: Option<Condition>,
 }
@@ -154,6 +164,7 @@ impl ParamSpec {
             unit: "",
             scale: Scale::Linear,
             choices: &[],
+            decoders: &[],
             meaning,
             relevant_when: None,
         }
@@ -198,6 +209,18 @@ impl ParamSpec {
     #[must_use]
     pub const fn flag(name: &'static str, default: bool, meaning: &'static str) -> Self {
         Self::new(name, Kind::Bool, Value::Bool(default), meaning)
+    }
+
+    /// Data that one of `decoders` reads; none at first.
+    #[must_use]
+    pub const fn data(
+        name: &'static str,
+        decoders: &'static [&'static Decoder],
+        meaning: &'static str,
+    ) -> Self {
+        let mut spec = Self::new(name, Kind::Data, Value::Data(false), meaning);
+        spec.decoders = decoders;
+        spec
     }
 
     /// The spec with this hard range, and the same soft one.
@@ -285,6 +308,7 @@ impl ParamSpec {
             }
             Kind::Choice => format!("allowed is one of {}", self.choices.join(", ")),
             Kind::Bool => "allowed is true or false".to_owned(),
+            Kind::Data => format!("allowed is {}", decoders_in_words(self.decoders)),
         }
     }
 
@@ -309,6 +333,8 @@ impl ParamSpec {
                 .find(|word| **word == text)
                 .map(|word| Value::Choice(word)),
             Kind::Bool => text.parse().ok().map(Value::Bool),
+            // Read by its decoders, see `ParamSet::set_text`.
+            Kind::Data => None,
         }
     }
 
@@ -321,6 +347,8 @@ impl ParamSpec {
             (Kind::Rgb, Value::Rgb(rgb)) => rgb.iter().all(in_range),
             (Kind::Choice, Value::Choice(word)) => self.choices.contains(&word),
             (Kind::Bool, Value::Bool(_)) => true,
+            // It comes with what it is; taken away it may be by itself.
+            (Kind::Data, Value::Data(is_there)) => !is_there,
             _ => false,
         }
     }

@@ -1,33 +1,25 @@
 //! The validated values of a model's parameters.
 
 use std::fmt;
-use std::sync::Arc;
 
-use super::{ParamSpec, Role, Value};
+use super::{Kind, ParamSpec, Role, Value};
 use crate::error::{Error, Result};
-use crate::table::Table;
-
-/// The name under which a table stands in texts.
-pub const DATA: &str = "data";
+use crate::resource::{Origin, Resource, Stored};
 
 /// The values of a model's parameters: one per spec, in the order of the specs, each allowed by its spec.
 #[derive(Clone, Debug)]
 pub struct ParamSet {
     model: &'static str,
-    specs: &'static [ParamSpec],
-    values: Vec<Value>,
-    /// Whether the model's values stand in a table.
-    takes_table: bool,
-    table: Option<Arc<Table>>,
+    pub(super) specs: &'static [ParamSpec],
+    pub(super) values: Vec<Value>,
+    /// The data of the parameters of that kind that have some, by their places among the specs.
+    pub(super) resources: Vec<(usize, Resource)>,
 }
 
 impl PartialEq for ParamSet {
     fn eq(&self, other: &Self) -> bool {
-        let have_one_table = match (&self.table, &other.table) {
-            (Some(own), Some(others)) => Arc::ptr_eq(own, others) || own == others,
-            (own, others) => own.is_none() && others.is_none(),
-        };
-        self.model == other.model && self.values == other.values && have_one_table
+        let [own, others] = [self, other].map(|set| (set.model, &set.values, &set.resources));
+        own == others
     }
 }
 
@@ -39,36 +31,8 @@ impl ParamSet {
             model,
             specs,
             values: specs.iter().map(|spec| spec.default).collect(),
-            takes_table: false,
-            table: None,
+            resources: Vec::new(),
         }
-    }
-
-    /// The set of a model whose values stand in a table; there is none yet.
-    #[must_use]
-    pub fn taking_table(self) -> Self {
-        Self {
-            takes_table: true,
-            ..self
-        }
-    }
-
-    /// Sets the table of a model whose values stand in one.
-    ///
-    /// # Errors
-    /// [`Error::UnknownId`] for another model; the set is then unchanged.
-    pub fn set_table(&mut self, table: Arc<Table>) -> Result<()> {
-        if !self.takes_table {
-            return Err(self.unknown(DATA));
-        }
-        self.table = Some(table);
-        Ok(())
-    }
-
-    /// The table that was set.
-    #[must_use]
-    pub fn table(&self) -> Option<&Arc<Table>> {
-        self.table.as_ref()
     }
 
     /// Each spec with its value, in the order of the specs.
@@ -97,6 +61,9 @@ impl ParamSet {
             return Err(refused(self.model, spec, &value.to_string()));
         }
         *slot = value;
+        if value == Value::Data(false) {
+            self.resources.retain(|(place, _)| *place != index);
+        }
         Ok(())
     }
 
@@ -125,20 +92,22 @@ impl ParamSet {
         }
     }
 
-    /// Sets the parameter `name` from its text: a number, `r/g/b`, a word, `true` or `false`. `alpha` sets `alpha_x`
-    /// and `alpha_y`.
+    /// Sets the parameter `name` from its text: a number, `r/g/b`, a word, `true` or `false`; for data the name of a file, or
+    /// what would stand in it. `alpha` sets `alpha_x` and `alpha_y`.
     ///
     /// # Errors
-    /// As [`Self::set`], and [`Error::Parameter`] where the text is not of the parameter's kind; [`Error::Parse`] for a table.
+    /// As [`Self::set`], and [`Error::Parameter`] where the text is not of the parameter's kind; what the decoders of data
+    /// refuse.
     pub fn set_text(&mut self, name: &str, text: &str) -> Result<()> {
-        if name == DATA && self.takes_table {
-            return self.set_table(Arc::new(text.parse()?));
-        }
         for target in self.targets(name) {
-            let spec = self
-                .index_of(target)
-                .and_then(|index| self.specs.get(index))
-                .ok_or_else(|| self.unknown(target))?;
+            let spec = self.spec(target)?;
+            if spec.kind == Kind::Data {
+                let stored = Stored {
+                    decoders: spec.decoders,
+                };
+                self.set_resource(target, stored.word(text)?)?;
+                continue;
+            }
             let value = spec
                 .parse(text)
                 .ok_or_else(|| refused(self.model, spec, text))?;
@@ -230,11 +199,20 @@ impl ParamSet {
             .and_then(|index| self.values.get(index).copied())
     }
 
-    fn index_of(&self, name: &str) -> Option<usize> {
+    /// The spec of the parameter `name`.
+    ///
+    /// # Errors
+    /// [`Error::UnknownId`] where the model has no such parameter.
+    pub fn spec(&self, name: &str) -> Result<&'static ParamSpec> {
+        let spec = self.index_of(name).and_then(|index| self.specs.get(index));
+        spec.ok_or_else(|| self.unknown(name))
+    }
+
+    pub(super) fn index_of(&self, name: &str) -> Option<usize> {
         self.specs.iter().position(|spec| spec.name == name)
     }
 
-    fn unknown(&self, name: &str) -> Error {
+    pub(super) fn unknown(&self, name: &str) -> Error {
         let known = self.specs.iter().map(|spec| spec.name);
         Error::unknown("parameter", name, known)
     }
@@ -287,16 +265,21 @@ fn stem([first, second]: [&'static str; 2]) -> &'static str {
 }
 
 impl fmt::Display for ParamSet {
-    /// The parameters that differ from their default, as `name=value,name=value`; a table as `data=..`.
+    /// The parameters that differ from their default, as `name=value,name=value`; data as the name of its file, the bytes
+    /// that stand in the text, or what was baked.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let changed = self.iter().filter(|(spec, value)| *value != spec.default);
         for (index, (spec, value)) in changed.enumerate() {
             let comma = if index == 0 { "" } else { "," };
-            write!(f, "{comma}{}={value}", spec.name)?;
-        }
-        // No model has both.
-        if let Some(table) = &self.table {
-            write!(f, "{DATA}={table}")?;
+            write!(f, "{comma}{}=", spec.name)?;
+            match self.resource(spec.name).map(|data| (data, data.origin())) {
+                None => write!(f, "{value}")?,
+                Some((data, Origin::Inline)) => {
+                    let bytes = data.decoded().map(|decoded| decoded.bytes());
+                    f.write_str(&String::from_utf8_lossy(bytes.unwrap_or_default()))?;
+                }
+                Some((data, _)) => f.write_str(&data.name())?,
+            }
         }
         Ok(())
     }

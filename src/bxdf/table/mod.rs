@@ -17,12 +17,13 @@ mod coordinates;
 mod shape;
 mod text;
 
-use crate::batch::{Columns, Job, Path, Scatterer};
+use crate::batch::{Columns, Scatterer};
 use crate::error::Result;
 use crate::math::{Real, Vec3};
 use crate::optics::Spectrum;
 use coordinates::{Cell, Place};
 pub use shape::Shape;
+pub use text::TABLE;
 
 /// The width of a lobe is where its density of normals, less 1/cos^4, has fallen to this part of the one at theta_h = 0: for
 /// GGX there tan(theta_h) = alpha.
@@ -77,13 +78,7 @@ impl Table {
         let pairs: Vec<_> = shape.places().map(|place| place.directions()).collect();
         let wo = Columns::from_rows(pairs.iter().map(|(wo, _)| [wo.x, wo.y, wo.z]));
         let wi = Columns::from_rows(pairs.iter().map(|(_, wi)| [wi.x, wi.y, wi.z]));
-        let mut f = Columns::filled(0.0, pairs.len());
-        let job = Job::F {
-            wo: wo.slices(),
-            wi: wi.slices(),
-            f: f.slices_mut(),
-        };
-        bxdf.batch(Path::Dispatched, job);
+        let f = bxdf.values(&wo, &wi);
         let values = f.rows().zip(&pairs);
         let values = values.map(|(f, (wo, wi))| f.map(|f| (f * (wo.z + wi.z)) as f32));
         Ok(Self::new(shape, values.collect()))

@@ -1,5 +1,7 @@
 //! How many nodes a table has along each coordinate.
 
+use std::str::FromStr;
+
 use super::coordinates::{Cell, Place};
 use crate::error::{Error, Result};
 use crate::math::Real;
@@ -162,6 +164,26 @@ impl std::fmt::Display for Shape {
             write!(f, "x{}", self.turns)?;
         }
         Ok(())
+    }
+}
+
+impl FromStr for Shape {
+    type Err = Error;
+
+    /// Reads `HALVESxDIFFERENCESxAZIMUTHS`, or `..xTURNS`.
+    fn from_str(text: &str) -> Result<Self> {
+        let counts: std::result::Result<Vec<usize>, _> =
+            text.split('x').map(|count| count.trim().parse()).collect();
+        match counts.as_deref() {
+            Ok([halves, differences, azimuths]) => Self::new(1, [*halves, *differences, *azimuths]),
+            Ok([halves, differences, azimuths, turns]) => {
+                Self::new(*turns, [*halves, *differences, *azimuths])
+            }
+            _ => Err(Error::parse(
+                "table",
+                "three or four numbers of nodes are needed",
+            )),
+        }
     }
 }
 

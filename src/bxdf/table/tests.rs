@@ -1,6 +1,7 @@
 use super::*;
 use crate::Material;
 use crate::math::frame::direction_from_degrees;
+use crate::resource::{Decoded, Resource};
 
 const LIMIT: u64 = 1 << 26;
 
@@ -121,8 +122,9 @@ fn text_brings_a_table_back() {
 #[test]
 fn a_material_with_a_table_is_printed_and_read() {
     let mut component: crate::Component = "table".parse().unwrap();
+    let decoded = std::sync::Arc::new(Decoded::table(baked("phong", 3)));
     component
-        .set_table(std::sync::Arc::new(baked("phong", 3)))
+        .set_resource("data", Resource::inline(decoded))
         .unwrap();
     let mut material = Material::from(component);
     material.name = "Baked".to_owned();

@@ -2,12 +2,40 @@
 
 use std::fmt;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use super::{Shape, Table};
 use crate::error::{Error, Result};
+use crate::resource::Decoder;
+
+/// The format of these texts, which files have too.
+pub static TABLE: Decoder = Decoder {
+    title: "Table of values",
+    extensions: &["table"],
+    begins,
+    decode: |bytes| {
+        let text = std::str::from_utf8(bytes);
+        let text = text.map_err(|_| Error::parse("table", "is no text"))?;
+        Ok(Arc::new(text.trim().parse::<Table>()?))
+    },
+};
+
+/// Whether there are numbers of nodes before the first separator.
+fn begins(bytes: &[u8]) -> bool {
+    // Four numbers of four digits, and what stands between and around them.
+    const LONGEST: usize = 40;
+    let start = bytes.trim_ascii_start();
+    let counts = start
+        .iter()
+        .take(LONGEST)
+        .position(|byte| *byte == SEPARATOR as u8);
+    let counts = counts.and_then(|end| start.get(..end)).unwrap_or_default();
+    let is_count = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'x' | b' ');
+    counts.first().is_some_and(u8::is_ascii_digit) && counts.iter().all(is_count)
+}
 
 /// What stands between the numbers of nodes and the values.
 const SEPARATOR: char = ';';
@@ -39,23 +67,7 @@ impl FromStr for Table {
         let (counts, values) = text
             .split_once(SEPARATOR)
             .ok_or_else(|| wrong("is not HALVESxDIFFERENCESxAZIMUTHS;VALUES".to_owned()))?;
-        let counts: std::result::Result<Vec<usize>, _> = counts
-            .split('x')
-            .map(|count| count.trim().parse())
-            .collect();
-        let shape = match counts.as_deref() {
-            Ok([halves, differences, azimuths]) => {
-                Shape::new(1, [*halves, *differences, *azimuths])?
-            }
-            Ok([halves, differences, azimuths, turns]) => {
-                Shape::new(*turns, [*halves, *differences, *azimuths])?
-            }
-            _ => {
-                return Err(wrong(
-                    "three or four numbers of nodes are needed".to_owned(),
-                ));
-            }
-        };
+        let shape: Shape = counts.parse()?;
         let bytes = STANDARD
             .decode(values.trim())
             .map_err(|error| wrong(format!("values: {error}")))?;

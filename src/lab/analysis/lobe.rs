@@ -138,14 +138,7 @@ impl<'a> HeldLobe<'a> {
     #[must_use]
     pub fn densities_or_limits(&self, free: &[DVec3], is_upper: bool) -> Vec<f64> {
         let (held, free) = (self.held_columns(free.len()), lifted(free, is_upper));
-        let mut pdf = vec![0.0; free.len()];
-        let job = Job::Pdf {
-            wo: held.slices(),
-            wi: free.slices(),
-            pdf: &mut pdf,
-        };
-        self.bxdf.batch(Path::Dispatched, job);
-        pdf
+        self.bxdf.densities(&held, &free)
     }
 
     /// The lobe of the same surface with the same direction held, as its sampler sees it: in wo's place.

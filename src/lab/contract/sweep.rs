@@ -71,7 +71,7 @@ pub(crate) fn bases(model: &ModelSpec) -> Vec<ParamSet> {
         let values: Vec<Value> = match spec.kind {
             Kind::Choice => words.collect(),
             Kind::Bool => flags.to_vec(),
-            Kind::Number | Kind::Rgb => continue,
+            Kind::Number | Kind::Rgb | Kind::Data => continue,
         };
         let with_value = |value| white.with(&[(spec.name, value)]);
         bases.extend(values.into_iter().filter_map(with_value));
@@ -123,7 +123,7 @@ pub(crate) fn ends(spec: &ParamSpec) -> Vec<Value> {
     match spec.kind {
         Kind::Number => values.map(Value::Number).collect(),
         Kind::Rgb => values.map(|x| Value::Rgb([x; 3])).collect(),
-        Kind::Choice | Kind::Bool => Vec::new(),
+        Kind::Choice | Kind::Bool | Kind::Data => Vec::new(),
     }
 }
 

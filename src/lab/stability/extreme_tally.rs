@@ -111,16 +111,16 @@ impl Extreme {
 
 /// What a point is found to be.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Finding {
+pub(crate) struct Finding {
     pub(super) is_not_finite: bool,
     pub(super) is_negative: bool,
     pub(super) is_misplaced: bool,
-    pub(super) relative_error: f64,
+    pub(crate) relative_error: f64,
     /// The error over its bound; [`Tally::largest_ratio`] or less needs not be exact.
-    pub(super) ratio: f64,
+    pub(crate) ratio: f64,
     pub(super) weight: Option<f64>,
     /// `f` or `pdf`, of the ratio.
-    pub(super) what: &'static str,
+    pub(crate) what: &'static str,
 }
 
 impl Finding {

@@ -98,7 +98,7 @@ fn moved(model: &ModelSpec, params: &ParamSet, spec: &ParamSpec, x: f64) -> Opti
     let value = match spec.kind {
         Kind::Number => Value::Number(x),
         Kind::Rgb => Value::Rgb([x; 3]),
-        Kind::Choice | Kind::Bool => return None,
+        Kind::Choice | Kind::Bool | Kind::Data => return None,
     };
     let moved = params.with(&[(spec.name, value)])?;
     (model.validate)(&moved).ok()?;

@@ -19,7 +19,7 @@ mod extreme_tally;
 mod jumps;
 pub mod map;
 mod parameters;
-mod point;
+pub(crate) mod point;
 mod random_points;
 mod samples;
 mod search;

@@ -198,6 +198,7 @@ fn random_value(spec: &ParamSpec, random: &mut Random) -> Value {
                 .map_or(spec.default, |word| Value::Choice(word))
         }
         Kind::Bool => Value::Bool(random.unit() < 0.5),
+        Kind::Data => spec.default,
     }
 }
 

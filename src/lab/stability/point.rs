@@ -15,15 +15,15 @@ use bxdf::Scatterer;
 use bxdf::math::{Real, Vec3};
 
 /// A precision with the models of a specimen in it.
-pub(super) struct Tested<'a, R: Real> {
-    pub(super) specimen: &'a Specimen,
+pub(crate) struct Tested<'a, R: Real> {
+    pub(crate) specimen: &'a Specimen,
     pub(super) model: &'a dyn Scatterer<R>,
     /// At the parameters as `R` has them.
     pub(super) exact: &'a dyn Scatterer<Df64>,
 }
 
 /// `specimen` in f32.
-pub(super) fn single(specimen: &Specimen) -> Tested<'_, f32> {
+pub(crate) fn single(specimen: &Specimen) -> Tested<'_, f32> {
     Tested {
         specimen,
         model: &*specimen.single,
@@ -32,7 +32,7 @@ pub(super) fn single(specimen: &Specimen) -> Tested<'_, f32> {
 }
 
 /// `specimen` in f64.
-pub(super) fn double(specimen: &Specimen) -> Tested<'_, f64> {
+pub(crate) fn double(specimen: &Specimen) -> Tested<'_, f64> {
     Tested {
         specimen,
         model: &*specimen.double,
@@ -78,7 +78,7 @@ impl<R: Real> Tested<'_, R> {
     }
 
     /// The largest relative error at a pair, and by how much it uses up its bound, if that is more than `floor`.
-    pub(super) fn compare(&self, pair: Pair, floor: f64) -> Finding {
+    pub(crate) fn compare(&self, pair: Pair, floor: f64) -> Finding {
         self.compare_with(pair, self.exact_at(pair), floor)
     }
 
@@ -166,7 +166,7 @@ impl<R: Real> Tested<'_, R> {
     }
 
     /// The point as it is reported.
-    pub(super) fn at(&self, (wo, wi): Pair) -> (String, DVec3, DVec3) {
+    pub(crate) fn at(&self, (wo, wi): Pair) -> (String, DVec3, DVec3) {
         let (wo, wi): (Vec3<R>, Vec3<R>) = (wo.into(), wi.into());
         (self.specimen.name.clone(), wo.into(), wi.into())
     }

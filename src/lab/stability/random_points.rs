@@ -7,7 +7,7 @@ use super::parameters::random_set;
 use super::samples::is_unit;
 use crate::analysis::statistics::Random;
 use bxdf::Precision;
-use bxdf::batch::{Columns, Job, Path};
+use bxdf::batch::Columns;
 use bxdf::math::{Real, Vec3};
 use bxdf::param::ParamSet;
 use bxdf::{ModelSpec, Scatterer};
@@ -55,46 +55,23 @@ fn in_precision<R: Precision>(
     tally: &mut Tally,
 ) {
     let bxdf: Box<dyn Scatterer<R>> = model.build(params);
-    let column = |of: fn(&Point) -> DVec3| {
-        Columns::from_rows(points.iter().map(|point| of(point).to_array().map(R::of)))
-    };
-    let (wo, wi) = (column(|point| point.wo), column(|point| point.wi));
+    let wo = Columns::directions(points.iter().map(|point| point.wo));
+    let wi = Columns::directions(points.iter().map(|point| point.wi));
     let last = R::one() - R::of(R::UNIT_ROUNDOFF);
     let numbers = points
         .iter()
         .map(|point| point.u.map(|u| R::of(u).min(last)));
     let numbers = Columns::from_rows(numbers);
-    let mut values = Columns::filled(R::zero(), points.len());
-    let [r, g, b, pdf] = values.slices_mut();
-    let pairs = Job::FPdf {
-        wo: wo.slices(),
-        wi: wi.slices(),
-        f: [r, g, b],
-        pdf,
-    };
-    bxdf.batch(Path::Dispatched, pairs);
+    let values = bxdf.values_and_densities(&wo, &wi);
     let mut add = |point: &Point, finding: Finding| count(tally, params, point, finding, R::NAME);
     for (point, values) in points.iter().zip(values.rows()) {
         add(point, found(&values, false));
     }
-    let mut drawn = Columns::filled(R::zero(), points.len());
-    let ([r, g, b, pdf], [x, y, z, delta]) = (values.slices_mut(), drawn.slices_mut());
-    let [uc, u, v] = numbers.slices();
-    let samples = Job::Sample {
-        wo: wo.slices(),
-        uc,
-        u: [u, v],
-        wi: [x, y, z],
-        f: [r, g, b],
-        pdf,
-        delta,
-    };
-    bxdf.batch(Path::Dispatched, samples);
-    for ((point, [x, y, z, _]), values) in points.iter().zip(drawn.rows()).zip(values.rows()) {
+    let samples = bxdf.samples(&wo, &numbers);
+    for (point, [x, y, z, r, g, b, pdf, _]) in points.iter().zip(samples.rows()) {
         // No density is no sample.
-        let [.., pdf] = values;
         let is_long = pdf > R::zero() && !is_unit(Vec3::new(x, y, z));
-        add(point, found(&values, is_long));
+        add(point, found(&[r, g, b, pdf], is_long));
     }
 }
 

@@ -113,12 +113,9 @@ pub(super) struct Batch<R> {
 impl<R: Precision> Batch<R> {
     /// Of these pairs (wo, wi).
     pub(super) fn new(pairs: &[(DVec3, DVec3)]) -> Self {
-        let components = |pick: fn(&(DVec3, DVec3)) -> DVec3| {
-            Columns::from_rows(pairs.iter().map(|pair| pick(pair).to_array().map(R::of)))
-        };
         Self {
-            wo: components(|pair| pair.0),
-            wi: components(|pair| pair.1),
+            wo: Columns::directions(pairs.iter().map(|(wo, _)| *wo)),
+            wi: Columns::directions(pairs.iter().map(|(_, wi)| *wi)),
             f: Columns::filled(R::zero(), pairs.len()),
         }
     }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use sobol_burley::sample;
 
 use crate::analysis::sphere::pair_at;
-use bxdf::batch::{Columns, Job, Path};
+use bxdf::batch::Columns;
 use bxdf::math::warp;
 use bxdf::{Material, Scatterer, Side};
 
@@ -212,15 +212,7 @@ impl Sides {
 /// The pdf of `bxdf` at `wo` and each of `wi`.
 fn densities(bxdf: &dyn Scatterer<f64>, wo: DVec3, wi: &[DVec3]) -> Vec<f64> {
     let held = Columns::repeated(wo.to_array(), wi.len());
-    let free = Columns::from_rows(wi.iter().map(DVec3::to_array));
-    let mut pdf = vec![0.0; wi.len()];
-    let job = Job::Pdf {
-        wo: held.slices(),
-        wi: free.slices(),
-        pdf: &mut pdf,
-    };
-    bxdf.batch(Path::Dispatched, job);
-    pdf
+    bxdf.densities(&held, &Columns::directions(wi.iter().copied()))
 }
 
 /// `w` with its components rounded to `f32`.

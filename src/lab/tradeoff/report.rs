@@ -61,13 +61,13 @@ pub struct Point {
     pub material: Option<Material>,
 }
 
-/// Whether there is no material, or one whose text is as long as the table it holds.
+/// Whether there is no material, or one of which a line of text says not all.
 #[expect(
     clippy::ref_option,
     reason = "serde asks with a reference to the field"
 )]
 pub(super) fn is_no_text(material: &Option<Material>) -> bool {
-    material.as_ref().is_none_or(Material::holds_table)
+    material.as_ref().is_none_or(Material::has_data)
 }
 
 impl Point {

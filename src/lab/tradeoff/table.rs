@@ -51,7 +51,7 @@ fn row(family: &FamilyReport, point: &Point) -> [String; COLUMNS.len()] {
         text(point.delta_e.as_ref()),
         point.pareto.to_string(),
         text(point.lost.as_ref()),
-        text(point.material.as_ref().filter(|one| !one.holds_table())),
+        text(point.material.as_ref().filter(|one| !one.has_data())),
     ]
 }
 

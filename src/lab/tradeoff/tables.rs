@@ -11,8 +11,9 @@ use super::study::{Stop, Study};
 use crate::analysis::lobe::pair_values;
 use bxdf::batch::Path;
 use bxdf::error::Result;
+use bxdf::resource::Decoded;
 use bxdf::table::{Shape, Table};
-use bxdf::{Component, Material, Side};
+use bxdf::{Component, Material, Resource, Side};
 
 /// Nodes along each coordinate.
 const COUNTS: [usize; 8] = [4, 8, 12, 16, 24, 32, 48, 64];
@@ -116,8 +117,12 @@ fn reference(shapes: &[Shape]) -> String {
 /// The material of `study` as a table, as a material of its own.
 fn baked(study: &Study<'_>, shape: Shape) -> Result<Material> {
     let table = Table::bake(study.bxdf(), shape, MAX_BYTES)?;
+    let resource = match study.material.recipe(shape) {
+        Some(recipe) => Resource::baked(recipe, table),
+        None => Resource::inline(Arc::new(Decoded::table(table))),
+    };
     let mut component: Component = "table".parse()?;
-    component.set_table(Arc::new(table))?;
+    component.set_resource("data", resource)?;
     Ok(Material::from(component))
 }
 

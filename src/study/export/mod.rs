@@ -35,7 +35,9 @@ pub fn text(
         )),
         Format::Obj => Some(lobes(session, theme).map(|lobes| mesh::obj(&lobes).into_bytes())),
         Format::Gltf => Some(lobes(session, theme).map(|lobes| mesh::gltf(&lobes).into_bytes())),
-        Format::Toml => Some(Ok(material_file::print(session.material()).into_bytes())),
+        Format::Toml => Some(Ok(
+            material_file::print(&session.material().with_data()).into_bytes()
+        )),
     }
 }
 
@@ -95,8 +97,14 @@ fn linear(color: [u8; 3]) -> [f32; 3] {
 /// Why no view has anything to show.
 #[must_use]
 pub fn nothing_to_show(session: &Session) -> Option<&'static str> {
-    let is_hidden = session.materials.shown().next().is_none();
-    is_hidden.then_some("Every material is hidden")
+    let materials = &session.materials;
+    if materials.shown().next().is_some() {
+        None
+    } else if materials.iter().any(|entry| !entry.material.is_complete()) {
+        Some("No material is shown: data is missing")
+    } else {
+        Some("Every material is hidden")
+    }
 }
 
 /// Why an export of values has nothing, though there are materials.

@@ -127,11 +127,13 @@ impl Materials {
         }
     }
 
-    /// Whether the views show it.
+    /// Whether the views show it: one whose data is missing they cannot.
     #[must_use]
     pub fn is_shown(&self, entry: &MaterialEntry) -> bool {
-        self.solo
-            .map_or(entry.is_visible, |alone| alone == entry.id)
+        let is_wanted = self
+            .solo
+            .map_or(entry.is_visible, |alone| alone == entry.id);
+        is_wanted && entry.material.is_complete()
     }
 
     /// The materials that the views show, in the order of the list.

@@ -11,6 +11,7 @@ use bxdf::{Material, Side, models};
 use bxdf_lab::analysis::{Channel, Hold, RadialScale};
 
 pub mod camera;
+mod data;
 mod entry;
 mod file;
 mod instances;

@@ -16,7 +16,7 @@ pub struct ReadyLayout {
 pub static READY_LAYOUTS: [ReadyLayout; 6] = [
     ReadyLayout {
         name: "Teach",
-        meaning: "The section and the lobe side by side, as large as they go: for the screen in front of a class",
+        meaning: "Section and lobe side by side, as large as possible: for projecting to a class",
         layout: || Place::row(vec![Place::View("polar"), Place::View("lobe3d")]),
     },
     ReadyLayout {

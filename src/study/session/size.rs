@@ -6,7 +6,7 @@ use crate::files;
 use bxdf::Material;
 use bxdf::error::Result;
 
-/// More than a lobe has as text besides its table: a dozen colours of three numbers.
+/// More than a lobe has as text besides its data: a dozen colours of three numbers.
 const LOBE_ROOM: u64 = 4 << 10;
 
 /// More than a view has as text besides the texts in its options: where it stands and a dozen numbers.
@@ -27,11 +27,16 @@ impl Session {
     /// # Errors
     /// [`Error::Limit`](bxdf::Error::Limit) where it is longer than [`files::MAX_TEXT`].
     pub fn require_fit(&self) -> Result<()> {
+        self.require_fit_as("the session with this change")
+    }
+
+    /// [`Self::require_fit`], whose error is about `what`.
+    pub(super) fn require_fit_as(&self, what: &'static str) -> Result<()> {
         // Only near the limit it is worth being written, to be told to the byte.
         if self.text_bound() <= files::MAX_TEXT {
             return Ok(());
         }
-        files::require_fit("the session with this change", self.to_toml()?.len() as u64)
+        files::require_fit(what, self.to_toml()?.len() as u64)
     }
 
     /// At least as many bytes as its text has.
@@ -51,13 +56,13 @@ fn entry_bound(entry: &MaterialEntry) -> u64 {
 }
 
 fn material_bound(material: &Material) -> u64 {
-    let lobes = material.components().iter().map(|lobe| {
-        let table = lobe.params().table();
-        LOBE_ROOM + table.map_or(0, |table| table.text_bytes())
-    });
+    let lobes = LOBE_ROOM * material.components().len() as u64;
+    let data = material
+        .resources()
+        .map(|(_, resource)| resource.text_bound());
     let said = [&material.name, &material.note, &material.source];
     let said: u64 = said.into_iter().map(|text| escaped(text)).sum();
-    said + lobes.sum::<u64>()
+    lobes + said + data.sum::<u64>()
 }
 
 fn escaped(text: &str) -> u64 {
@@ -70,8 +75,10 @@ mod tests {
 
     use super::*;
     use crate::session::{MAX_MATERIALS, Materials};
+    use bxdf::Resource;
     use bxdf::material::{Component, library};
     use bxdf::models::MODELS;
+    use bxdf::resource::Decoded;
     use bxdf::table::{Shape, Table};
 
     /// A material whose table has so many nodes along each coordinate.
@@ -80,7 +87,10 @@ mod tests {
         let shape = Shape::of(n, true).unwrap();
         let table = Table::bake(&*bxdf, shape, u64::MAX).unwrap();
         let mut component: Component = "table".parse().unwrap();
-        component.set_table(Arc::new(table)).unwrap();
+        let decoded = Arc::new(Decoded::table(table));
+        component
+            .set_resource("data", Resource::inline(decoded))
+            .unwrap();
         Material::from(component)
     }
 
@@ -90,7 +100,19 @@ mod tests {
         let named = library::all().iter().map(|named| named.material.clone());
         let mut odd = table(3);
         odd.note = "\u{1}\"\\\n".repeat(1000);
-        for material in models.chain(named).chain([table(16), odd]) {
+        let mut baked = odd.with_components(vec!["phong".parse().unwrap()]).unwrap();
+        baked.name = "\u{1}".repeat(1000);
+        let recipe = baked.recipe(Shape::of(40, true).unwrap()).unwrap();
+        let mut component: Component = "table".parse().unwrap();
+        let file = Resource::file("\u{1}".repeat(500).into());
+        component.set_resource("data", file).unwrap();
+        let file = Material::from(component.clone());
+        let table_of = Table::even(0.1);
+        component
+            .set_resource("data", Resource::baked(recipe, table_of))
+            .unwrap();
+        let baked = Material::from(component);
+        for material in models.chain(named).chain([table(16), odd, file, baked]) {
             let mut session = Session::of(material);
             session.locked.insert("\u{7f}".repeat(9000));
             let text = session.to_toml().unwrap();

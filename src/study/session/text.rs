@@ -1,14 +1,18 @@
 //! Sessions and materials as text, to be copied, pasted and opened.
 
+use std::path::Path;
+
 use toml::de::DeTable;
 
 use super::Session;
+use super::data;
 use super::entry::MaterialEntry;
 use super::file::Read;
 use crate::files;
 use bxdf::Material;
 use bxdf::error::{Error, Result};
 use bxdf::material::{file, library};
+use bxdf::resource::ReadFile;
 
 /// Where pasted text comes from, in errors.
 const PLACE: &str = "clipboard";
@@ -30,31 +34,65 @@ impl From<Session> for Opened {
     }
 }
 
-impl MaterialEntry {
-    /// The material as text, with the name the user gave it: `id:name=value,name=value` where that says all, else the
-    /// text of its file.
-    #[must_use]
-    pub fn to_text(&self) -> String {
-        let mut material = self.material.clone();
-        if !self.name.is_empty() {
-            material.name.clone_from(&self.name);
+impl Opened {
+    /// Names files from the root on that are named from `folder` on.
+    pub(crate) fn rooted_at(&mut self, folder: &Path) {
+        match self {
+            Self::Session(read) => read.session.rooted_at(folder),
+            Self::Material(material) => material.rooted_at(folder),
         }
-        let is_described = [&material.name, &material.note, &material.source]
-            .iter()
-            .any(|text| !text.is_empty());
-        match material.only() {
-            Some(only) if !is_described => only.to_string(),
-            _ => file::print(&material),
+    }
+
+    /// Reads the files of data that nobody has read yet.
+    pub(crate) fn read_files(&mut self, read: ReadFile<'_>) {
+        match self {
+            Self::Session(opened) => opened.session.read_files(read),
+            Self::Material(material) => data::read_files(material, read),
+        }
+    }
+
+    /// The session, or a new one of the material.
+    #[must_use]
+    pub fn into_session(self) -> Session {
+        match self {
+            Self::Session(read) => read.session,
+            Self::Material(material) => Session::of(*material),
+        }
+    }
+
+    /// What there is to be said of it, a line each: what is left out, and which data is missing or has changed.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<String> {
+        match self {
+            Self::Session(read) => read.remarks(),
+            Self::Material(material) => data::problems(material).collect(),
         }
     }
 }
 
-/// What a pasted text says: a model with parameters, the id of a named material, or the text of a file.
+impl MaterialEntry {
+    /// The material as text, with the name the user gave it and all its data: `id:name=value,name=value` where that says all,
+    /// else the text of its file.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut material = self.material.with_data();
+        if !self.name.is_empty() {
+            material.name.clone_from(&self.name);
+        }
+        material.to_text()
+    }
+}
+
+/// What a pasted text says: a model with parameters, the id of a named material, the text of a file, or data as it stands in
+/// a file.
 ///
 /// # Errors
 /// [`Error::Limit`] for a text longer than [`files::MAX_TEXT`], and what readers of sessions and materials refuse.
 pub fn pasted(text: &str) -> Result<Opened> {
     files::require_fit("the pasted text", text.len() as u64)?;
+    if let Some(data) = Material::of_data(text.as_bytes(), None) {
+        return Ok(Opened::Material(Box::new(data?)));
+    }
     let trimmed = text.trim();
     let is_line = !trimmed.contains('\n') && !trimmed.contains("[[");
     if is_line && !trimmed.is_empty() {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::entry::MaterialEntry;
 use super::materials::Materials;
-use bxdf::param::{ParamSpec, Value};
+use bxdf::param::{Kind, ParamSpec, Value};
 use bxdf::{Component, Material};
 
 /// The other one of the widths of `component` that are linked, along s and t.
@@ -27,6 +27,10 @@ impl Materials {
     /// Whether another material than the selected one has this parameter too.
     #[must_use]
     pub fn is_shared(&self, spec: &ParamSpec) -> bool {
+        // Data is no value that others could have too.
+        if spec.kind == Kind::Data {
+            return false;
+        }
         let selected = self.selected().id();
         let has = |component: &Component| {
             let mut specs = component.model().parameters.iter();

@@ -9,6 +9,8 @@ pub enum FileDialog {
     Open,
     /// A file to save to; this name is proposed.
     Save(String),
+    /// A file to save to with all data in it; this name is proposed.
+    SaveWithData(String),
     /// A file to export to; this name is proposed.
     Export(String),
 }

@@ -138,6 +138,14 @@ impl Store {
         Ok(aside)
     }
 
+    /// [`Self::save`], with all data in the file, which then needs no other.
+    ///
+    /// # Errors
+    /// As [`Self::save`], and where the file would be too large, with the sizes of its data.
+    pub fn save_with_data(&mut self, path: &Path, session: &Session) -> Result<Option<PathBuf>> {
+        self.save(path, &session.with_data()?)
+    }
+
     /// Writes what was exported to a file of the user's.
     ///
     /// # Errors
@@ -156,6 +164,12 @@ impl Store {
     pub fn reader(&self, path: &Path) -> impl FnOnce() -> Result<Opened> + Send + 'static {
         let (places, path) = (self.places.clone(), path.to_owned());
         move || places.read(&path)
+    }
+
+    /// What reads a file of data, in whichever thread.
+    pub fn data_reader(&self) -> impl Fn(&Path) -> Result<Vec<u8>> + Send + 'static {
+        let places = self.places.clone();
+        move |path| places.bytes(path, crate::files::MAX_DATA)
     }
 
     /// What stands at a path.

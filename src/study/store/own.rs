@@ -7,7 +7,7 @@ use std::sync::mpsc::{Receiver, TryRecvError};
 
 use super::place::{Places, backup};
 use crate::parallel::Pool;
-use crate::session::{Opened, Session};
+use crate::session::Session;
 use bxdf::error::{Error, Result};
 
 /// How long an edit may stay unsaved, in seconds: what a crash costs at most.
@@ -148,23 +148,22 @@ impl Own {
             said.push(format!("The session cannot be read: {error}"));
             if let Ok(aside) = places.aside(path) {
                 said.push(format!(
-                    "It stays as it is until you change something, and is then kept as {}",
+                    "It is left as it is until you change something, then kept as {}",
                     name(&aside)
                 ));
             }
         }
         if !unread.is_empty() {
             said.push(match &found {
-                Some((path, _)) => format!("Shown is the session before it, {}", name(path)),
+                Some((path, _)) => format!("The session before it is shown: {}", name(path)),
                 None => "There is no readable one before it: this is a new session".to_owned(),
             });
         }
         let session = match found {
-            Some((_, Opened::Session(read))) => {
-                said.extend(read.left_out);
-                read.session
+            Some((_, opened)) => {
+                said.extend(opened.remarks());
+                opened.into_session()
             }
-            Some((_, Opened::Material(material))) => Session::of(*material),
             None => start,
         };
         self.kept = Some(session.clone());

@@ -12,8 +12,9 @@ use rustc_hash::FxHasher;
 
 use super::partial::Partial;
 use super::{Files, Found};
-use crate::files::{MAX_TEXT, text_of};
-use crate::session::{self, Opened, Session};
+use crate::files::{MAX_DATA, MAX_TEXT, text_of};
+use crate::readers;
+use crate::session::{Opened, Session};
 use bxdf::error::{Error, Result};
 
 /// How many files that cannot be read are set aside beside one, before it is refused to be written over.
@@ -40,10 +41,18 @@ impl Places {
     /// # Errors
     /// Where it cannot be read, is larger than [`MAX_TEXT`], and where it is neither.
     pub(super) fn read(&self, path: &Path) -> Result<Opened> {
-        let text = self.text(path)?;
-        let opened = session::read(&text, &path.display().to_string())?;
-        self.note(path, &text);
+        let bytes = self.bytes(path, readers::limit(path))?;
+        let digest = digest(&bytes);
+        let mut opened = readers::read(bytes, path)?;
+        opened.rooted_at(&folder_of(path));
+        opened.read_files(&|path| self.bytes(path, MAX_DATA));
+        self.note(path, digest);
         Ok(opened)
+    }
+
+    pub(super) fn bytes(&self, path: &Path, limit: u64) -> Result<Vec<u8>> {
+        let read = self.files.read(path, limit);
+        read.map_err(|error| Error::io(path, error))
     }
 
     /// The text of the file at `path`.
@@ -51,11 +60,7 @@ impl Places {
     /// # Errors
     /// Where it cannot be read, is larger than [`MAX_TEXT`], or is no text.
     pub(super) fn text(&self, path: &Path) -> Result<String> {
-        let bytes = self
-            .files
-            .read(path, MAX_TEXT)
-            .map_err(|error| Error::io(path, error))?;
-        text_of(bytes, path)
+        text_of(self.bytes(path, MAX_TEXT)?, path)
     }
 
     /// Writes `session` in place of the file at `path`. What was there is kept: as the backup where it can be read, else
@@ -65,7 +70,7 @@ impl Places {
     /// Where it cannot be written, and where nobody would read it again; the files that were there are as they were.
     pub(super) fn replace(&self, path: &Path, session: &Session) -> Result<Option<PathBuf>> {
         session.require_fit()?;
-        let text = session.to_toml()?;
+        let text = session.relative_to(&folder_of(path)).to_toml()?;
         let before = self.before(path);
         let aside = match before {
             Before::Unreadable => Some(self.aside(path)?),
@@ -76,7 +81,7 @@ impl Places {
             None if matches!(before, Before::Good) => self.back_up(path),
             None => Ok(()),
         })?;
-        self.note(path, &text);
+        self.note(path, digest(text.as_bytes()));
         Ok(aside)
     }
 
@@ -151,10 +156,10 @@ impl Places {
             .ok_or_else(|| Error::io(path, io::ErrorKind::AlreadyExists.into()))
     }
 
-    /// Takes note that `text` stands at `path`, and can be read.
-    fn note(&self, path: &Path, text: &str) {
+    /// Takes note that bytes of this digest stand at `path`, and can be read.
+    fn note(&self, path: &Path, digest: u64) {
         let mut good = self.good.lock().unwrap_or_else(PoisonError::into_inner);
-        good.insert(path.to_owned(), digest(text.as_bytes()));
+        good.insert(path.to_owned(), digest);
     }
 
     fn is_noted(&self, path: &Path, bytes: &[u8]) -> bool {
@@ -175,6 +180,13 @@ fn digest(bytes: &[u8]) -> u64 {
     let mut hasher = FxHasher::default();
     hasher.write(bytes);
     hasher.finish()
+}
+
+/// The folder of the file at `path`, from the root on: what is named from it on is found wherever the program is started.
+fn folder_of(path: &Path) -> PathBuf {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    // A browser has no root.
+    std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned())
 }
 
 /// The place of the last good file before the one at `path`.

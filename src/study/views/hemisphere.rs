@@ -25,7 +25,7 @@ pub(super) const KIND: ViewKind = ViewKind {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Options {
-    /// How directions lie on the disc.
+    /// How directions are projected onto the disc.
     pub projection: Projection,
     /// Which number is shown.
     pub quantity: Quantity,

@@ -34,7 +34,7 @@ pub static EXPOSURE: NumberSpec = NumberSpec::new("sphere.exposure", [-6.0, 6.0]
 const SIZES: [usize; 3] = [128, 256, 512];
 
 words! {
-    /// How the spheres of several materials stand.
+    /// How the spheres of several materials are arranged.
     Arrangement {
         /// Side by side.
         #[default]

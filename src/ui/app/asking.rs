@@ -8,7 +8,7 @@ use egui::Context;
 use super::App;
 use crate::widgets::path_field::Outcome;
 use bxdf::error::Result;
-use bxdf_study::store::{Answer, FileDialog};
+use bxdf_study::store::{Answer, FileDialog, Store};
 
 /// How often an open dialog is looked at, in seconds.
 const POLL: f64 = 0.1;
@@ -66,7 +66,8 @@ impl App {
     fn do_with(&mut self, dialog: &FileDialog, path: &Path, ctx: &Context) -> Result<()> {
         match dialog {
             FileDialog::Open => self.open(path, ctx),
-            FileDialog::Save(_) => self.save_to(path)?,
+            FileDialog::Save(_) => self.save_to(path, Store::save)?,
+            FileDialog::SaveWithData(_) => self.save_to(path, Store::save_with_data)?,
             FileDialog::Export(_) => self.export_to(path, ctx),
         }
         Ok(())

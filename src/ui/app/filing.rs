@@ -13,7 +13,7 @@ use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::colors;
 use bxdf_study::files;
-use bxdf_study::session::{self, Opened};
+use bxdf_study::session::{self, Opened, Session};
 use bxdf_study::store::{Dialogs, FileDialog, News, Store};
 
 /// The name proposed for a new file.
@@ -22,6 +22,9 @@ const NEW_NAME: &str = "session.toml";
 /// The most bytes that are pasted into a text field at once: no name, number or path is longer, and much longer lines take
 /// seconds to be laid out.
 const MOST_TYPED: usize = 1 << 14;
+
+/// How a session is saved: as it refers to its data, or with all of it.
+pub(super) type Save = fn(&mut Store, &Path, &Session) -> Result<Option<PathBuf>>;
 
 impl App {
     /// Writes a file of the user's, and says where it is.
@@ -87,18 +90,32 @@ impl App {
 
     /// Asks for a file to save to.
     pub fn ask_save(&mut self) {
+        let name = self.proposed_name();
         if let Some(files) = &mut self.files {
-            let name = files.file.as_ref().and_then(|path| path.file_name());
-            let name = name.map_or(NEW_NAME.into(), |name| name.to_string_lossy().into_owned());
             files.ask(FileDialog::Save(name));
         }
+    }
+
+    /// Asks for a file to save to with all data in it.
+    pub fn ask_save_with_data(&mut self) {
+        let name = self.proposed_name();
+        if let Some(files) = &mut self.files {
+            files.ask(FileDialog::SaveWithData(name));
+        }
+    }
+
+    /// The name of the file of the session, or one for a new one.
+    fn proposed_name(&self) -> String {
+        let file = self.files.as_ref().and_then(|files| files.file.as_ref());
+        let name = file.and_then(|path| path.file_name());
+        name.map_or(NEW_NAME.into(), |name| name.to_string_lossy().into_owned())
     }
 
     /// Saves to the file of the session; asks for one where it has none.
     pub fn save(&mut self) {
         match self.files.as_ref().and_then(|files| files.file.clone()) {
             Some(path) => {
-                let saved = self.save_to(&path);
+                let saved = self.save_to(&path, Store::save);
                 self.notice.report(saved);
             }
             None => self.ask_save(),
@@ -109,11 +126,11 @@ impl App {
     ///
     /// # Errors
     /// Where it cannot be written; the file that was there is as it was.
-    pub(super) fn save_to(&mut self, path: &Path) -> Result<()> {
+    pub(super) fn save_to(&mut self, path: &Path, save: Save) -> Result<()> {
         let Some(files) = &mut self.files else {
             return Ok(());
         };
-        let aside = files.store.save(path, &self.session)?;
+        let aside = save(&mut files.store, path, &self.session)?;
         files.file = Some(path.to_owned());
         let mut saved = Saved::to(path);
         if let Some(aside) = aside {
@@ -135,23 +152,24 @@ impl App {
     /// Shows what was opened, from the file at `path`, or pasted.
     pub(super) fn take(&mut self, opened: Result<Opened>, path: Option<PathBuf>) {
         let is_session = matches!(opened, Ok(Opened::Session(_)));
-        let taken = opened.and_then(|opened| match opened {
-            Opened::Session(read) => {
-                read.session.require_fit()?;
-                self.session = read.session;
-                Ok(read.left_out)
+        let taken = opened.and_then(|opened| {
+            let remarks = opened.remarks();
+            match opened {
+                Opened::Session(read) => {
+                    read.session.require_fit()?;
+                    self.session = read.session;
+                }
+                Opened::Material(material) => {
+                    self.session.materials.add(*material)?;
+                }
             }
-            Opened::Material(material) => {
-                let added = self.session.materials.add(*material);
-                added.map(|_| Vec::new())
-            }
+            Ok(remarks)
         });
-        let Some(left_out) = self.notice.report(taken) else {
+        let Some(remarks) = self.notice.report(taken) else {
             return;
         };
-        if !left_out.is_empty() {
-            self.notice.say_all(&left_out);
-        }
+        // What was said of another session, or before a file came back, holds no longer.
+        self.notice.say_all(&remarks);
         if let (Some(files), Some(path)) = (&mut self.files, path) {
             files.store.remember(&path);
             if is_session {
@@ -282,7 +300,7 @@ impl App {
 /// What became of a file that could not be read.
 fn set_aside(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    format!("What stood there and could not be read is now {name}")
+    format!("The file that stood there could not be read and is now {name}")
 }
 
 /// While files hover over the window: what becomes of them if they are let go.
@@ -296,7 +314,7 @@ fn say_what_dropping_does(ctx: &Context) {
         .show(ctx, |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.heading(
-                    "Drop to open: a session in place of this one, a material beside the others",
+                    "Drop to open: a session replaces this one, a material joins the others",
                 );
             });
         });

@@ -1,6 +1,7 @@
 //! The application: what the window works on, and what can be done to it.
 
 use std::collections::VecDeque;
+use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex};
 
 use egui::Context;
@@ -17,7 +18,9 @@ use super::widgets::picker::Picker;
 use super::widgets::said::Said;
 use super::widgets::saved::Saved;
 use super::widgets::search::Search;
+use bxdf::Resource;
 use bxdf::error::Error;
+use bxdf::resource::Content;
 use bxdf_lab::analysis::Detail;
 use bxdf_lab::timing::Stopwatch;
 use bxdf_study::cursor::Cursor;
@@ -33,6 +36,7 @@ use readings::Reading;
 mod asking;
 mod export;
 mod exports;
+mod fetching;
 mod files;
 mod filing;
 pub(super) mod keys;
@@ -68,6 +72,8 @@ pub struct App {
     /// What is being read, in the order in which it came.
     pub(super) readings: VecDeque<Reading>,
     pub(super) exports: Exports,
+    /// The data that is being looked for.
+    pub(super) fetches: Vec<(Resource, Receiver<Content>)>,
     pub(super) exit_problem: Arc<Mutex<Option<Error>>>,
     pub(super) search: Option<Search>,
     pub(super) is_help_shown: bool,
@@ -112,6 +118,7 @@ impl App {
             files: None,
             readings: VecDeque::new(),
             exports: Exports::default(),
+            fetches: Vec::new(),
             exit_problem: Arc::default(),
             search: None,
             is_help_shown: false,
@@ -173,9 +180,10 @@ impl App {
         self.notice.report(added);
     }
 
-    /// Copies the session as text.
+    /// Copies the session as text, with all data in it.
     pub fn copy_session(&mut self, ctx: &Context) {
-        let text = self.session.to_toml();
+        let whole = self.session.with_data();
+        let text = whole.and_then(|whole| whole.to_toml());
         if let Some(text) = self.notice.report(text) {
             ctx.copy_text(text);
         }

@@ -64,6 +64,7 @@ pub struct Command {
 
 pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
 pub(super) const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+pub(super) const CTRL_ALT: Modifiers = Modifiers::COMMAND.plus(Modifiers::ALT);
 pub(super) const PLAIN: Modifiers = Modifiers::NONE;
 
 pub(super) const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {

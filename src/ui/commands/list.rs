@@ -1,91 +1,19 @@
 //! The one list of commands, which buttons, menus, shortcuts, the search and the help make use of.
 
-use egui::{Key, ViewportCommand};
+use egui::Key;
 
 use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, command, key, switched};
+use super::files::{COPY_SESSION, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA};
 use crate::app::App;
 use bxdf_lab::analysis::Hold;
 use bxdf_study::session::{Curves, MAX_MATERIALS};
-
-/// Begins anew.
-pub static NEW: Command = command(
-    Group::File,
-    [
-        "new",
-        "New session",
-        "Begin anew; undo brings this session back",
-    ],
-    &[key(CTRL, Key::N)],
-    |app, _| app.start_anew(),
-);
-
-/// Opens a file.
-pub static OPEN: Command = Command {
-    is_enabled: App::has_files,
-    ..command(
-        Group::File,
-        [
-            "open",
-            "Open…",
-            "Open a session in place of this one, or a material beside the others; files can be dropped on the window too",
-        ],
-        &[key(CTRL, Key::O)],
-        |app, _| app.ask_open(),
-    )
-};
-
-/// Saves to the file of the session.
-pub static SAVE: Command = Command {
-    is_enabled: App::has_files,
-    ..command(
-        Group::File,
-        ["save", "Save", "Save the session to its file"],
-        &[key(CTRL, Key::S)],
-        |app, _| app.save(),
-    )
-};
-
-/// Saves to another file.
-pub static SAVE_AS: Command = Command {
-    is_enabled: App::has_files,
-    ..command(
-        Group::File,
-        ["save_as", "Save as…", "Save the session to another file"],
-        &[key(CTRL_SHIFT, Key::S)],
-        |app, _| app.ask_save(),
-    )
-};
-
-/// Copies the session.
-pub static COPY_SESSION: Command = command(
-    Group::File,
-    [
-        "copy_session",
-        "Copy session as text",
-        "Copy all that is on the screen as one text, which restores it where it is pasted",
-    ],
-    &[key(CTRL_SHIFT, Key::C)],
-    App::copy_session,
-);
-
-/// Pastes what is in the clipboard.
-pub static PASTE: Command = command(
-    Group::File,
-    [
-        "paste",
-        "Paste",
-        "Add the material of the clipboard (id:name=value,name=value, or the text of a file), or go over to its session",
-    ],
-    &[key(CTRL, Key::V)],
-    |_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
-);
 
 /// Takes back the last edit.
 pub static UNDO: Command = Command {
     is_enabled: |app| app.history.can_undo(),
     ..command(
         Group::Edit,
-        ["undo", "Undo", "Take back the last edit of the session"],
+        ["undo", "Undo", "Undo the last edit of the session"],
         &[key(CTRL, Key::Z)],
         |app, _| app.history.undo(&mut app.session),
     )
@@ -96,7 +24,7 @@ pub static REDO: Command = Command {
     is_enabled: |app| app.history.can_redo(),
     ..command(
         Group::Edit,
-        ["redo", "Redo", "Do again what was taken back"],
+        ["redo", "Redo", "Redo the edit that was undone"],
         &[key(CTRL_SHIFT, Key::Z), key(CTRL, Key::Y)],
         |app, _| app.history.redo(&mut app.session),
     )
@@ -110,7 +38,7 @@ pub static ADD: Command = Command {
         [
             "add",
             "Add…",
-            "Add the model or material that is searched for or clicked next in the list at the side",
+            "Add the next model or material you pick, beside those there are",
         ],
         &[key(CTRL, Key::M)],
         App::start_adding,
@@ -125,7 +53,7 @@ pub static DUPLICATE: Command = Command {
         [
             "duplicate",
             "Duplicate the selected material",
-            "Add another one like it, to be changed beside it",
+            "Add a copy to edit beside it",
         ],
         &[key(CTRL, Key::D)],
         |app, _| app.duplicate(),
@@ -158,7 +86,7 @@ pub static SOLO: Command = Command {
         let shown = materials.solo().and_then(|id| materials.get(id));
         let title = shown.map(|entry| materials.title(entry));
         title.map_or_else(
-            || "All materials are shown that are not hidden".to_owned(),
+            || "All materials are shown but those hidden".to_owned(),
             |title| format!("Shown alone: {title}"),
         )
     }),
@@ -217,7 +145,7 @@ pub static HOLD: Command = Command {
         [
             "hold",
             "Hold the light or the viewer",
-            "Go over from the one direction held to the other",
+            "Switch between holding the light and the viewer",
         ],
         &[key(PLAIN, Key::H)],
         |app, _| {
@@ -237,7 +165,7 @@ pub static SCALE: Command = Command {
         [
             "scale",
             "Linear or logarithmic radius",
-            "Go over from lengths in proportion to f to lengths by decades, or back",
+            "Switch between lengths proportional to f and lengths in decades",
         ],
         &[key(PLAIN, Key::L)],
         |app, _| {
@@ -271,7 +199,7 @@ pub static CURVES: Command = Command {
         [
             "curves",
             "Luminance, or R, G and B",
-            "Go over from one curve in the polar plot to three, or back",
+            "Switch between one curve in the polar plot and three",
         ],
         &[key(PLAIN, Key::R)],
         |app, _| {
@@ -291,7 +219,7 @@ pub static ANGLES: Command = Command {
         [
             "angles",
             "Angles of the held direction",
-            "Draw theta, phi and the projection in the 3D lobe, or do not",
+            "Show or hide theta, phi and the projection in the 3D lobe",
         ],
         &[key(PLAIN, Key::A)],
         |app, _| app.session.show_geometry ^= true,
@@ -306,7 +234,7 @@ pub static DUPLICATE_VIEW: Command = Command {
         [
             "duplicate_view",
             "Duplicate the view",
-            "Open another view like the one last clicked into, beside it: the two can be set differently",
+            "Open a copy of the view last clicked, beside it, with settings of its own",
         ],
         &[key(CTRL_SHIFT, Key::D)],
         |app, _| app.duplicate_view(app.current_view()),
@@ -321,7 +249,7 @@ pub static OWN_SECTION: Command = Command {
         [
             "own_section",
             "Own section",
-            "Give the view last clicked into a section at an azimuth of its own, or that of the others again",
+            "Give the view last clicked a section at an azimuth of its own, or the shared one again",
         ],
         &[key(CTRL_SHIFT, Key::E)],
         |app, _| app.switch_own_section(app.current_view()),
@@ -352,11 +280,12 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 23] = [
+pub static COMMANDS: [&Command; 24] = [
     &NEW,
     &OPEN,
     &SAVE,
     &SAVE_AS,
+    &SAVE_WITH_DATA,
     &COPY_SESSION,
     &PASTE,
     &UNDO,

@@ -1,11 +1,13 @@
 //! The commands: what each is, and how it is run, by buttons and by keys.
 
 mod command;
+mod files;
 pub mod help;
 mod keys;
 mod list;
 pub mod search;
 
 pub use command::{Command, Group};
+pub use files::*;
 pub use keys::run_pressed;
 pub use list::*;

@@ -37,7 +37,7 @@ mod tests {
             found.listed().iter().map(|command| command.id).collect()
         };
         assert_eq!(ids("").len(), COMMANDS.len());
-        assert_eq!(ids("save"), ["save", "save_as"]);
+        assert_eq!(ids("save"), ["save", "save_as", "save_with_data"]);
         assert_eq!(ids("save another"), ["save_as"]);
         assert_eq!(ids("  FILE  text session"), ["copy_session", "paste"]);
         // The title goes before the hints of commands that stand earlier in the list.

@@ -61,15 +61,15 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
         match options.abscissa {
             Abscissa::Free => {}
             Abscissa::Half => {
-                let hint = "The angle between the light and the half vector, which stays";
+                let hint = "The angle between the light and the half vector, held fixed";
                 choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, &FIXED_ANGLE);
             }
             Abscissa::Difference => {
-                let hint = "The angle between n and the half vector, which stays";
+                let hint = "The angle between n and the half vector, held fixed";
                 choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, &FIXED_ANGLE);
             }
         }
-        let hint = "Values by decades below the highest: shows the tails";
+        let hint = "A logarithmic scale: shows the tails";
         choice::switch_if(
             !options.is_residual,
             ui,
@@ -78,7 +78,7 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
         );
         let hint = "Each curve divided by its own peak: compares shapes";
         choice::switch(ui, ("To the peak", hint), &mut options.is_normalised);
-        let hint = "The value less that of the reference material";
+        let hint = "The value minus that of the reference material";
         choice::switch(ui, ("Residual", hint), &mut options.is_residual);
         if options.is_residual {
             super::context::reference_choice(ui, &mut session.materials);

@@ -49,9 +49,9 @@ fn controls(ui: &mut Ui, options: &mut Options) {
             Decomposed::title,
         );
         if options.into == Decomposed::Lobes {
-            let hint = "Lobes on top of one another: the uppermost line is the value";
+            let hint = "Lobes stacked: the top line is their sum";
             choice::switch(ui, ("Stacked", hint), &mut options.is_stacked);
-            let hint = "Values by decades below the highest";
+            let hint = "A logarithmic scale: decades below the highest value";
             choice::switch_if(
                 !options.is_stacked,
                 ui,

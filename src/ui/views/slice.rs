@@ -75,7 +75,7 @@ fn controls(ui: &mut Ui, options: &mut Options) {
         );
         let hint = "θh by its square root: more room for the specular peak";
         choice::switch(ui, ("√θh", hint), &mut options.is_square_root);
-        let hint = "Colours by decades below the highest value";
+        let hint = "A logarithmic scale: decades below the highest value";
         choice::switch(ui, ("By decades", hint), &mut options.is_logarithmic);
         let hint = "Names of the regions in which materials differ";
         choice::switch(ui, ("Regions", hint), &mut options.has_regions);

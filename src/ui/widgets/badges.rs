@@ -200,6 +200,11 @@ pub fn show(
     data: &mut Data,
     palette: &Palette,
 ) -> Option<Witness> {
+    if let Some(lack) = entry.material.lack() {
+        let text = RichText::new(format!("Not shown: {lack}")).small();
+        ui.label(text.color(palette.warning));
+        return None;
+    }
     let checks = data.of_material(entry, PhysicalLaws);
     let badges = Badges {
         title,
@@ -226,7 +231,7 @@ fn remedy(
         let small = |text| Button::new(RichText::new(text).small()).small();
         let go = ui
             .add(small("Go there"))
-            .on_hover_text("Hold the light where most leaves");
+            .on_hover_text("Hold the light where most of it leaves");
         // An upper limit of what leaves, where there is one: then no more leaves than arrives.
         let largest = 1.0 + energy.worst + energy.error;
         let scaled = material.with_weights_over(largest).ok();
@@ -234,7 +239,7 @@ fn remedy(
         let scale = ui
             .add_enabled(scaled.is_some(), small("Scale the weights"))
             .on_hover_text(format!(
-                "Divide the weight of every lobe by {}, the most that leaves of what arrives",
+                "Divide the weight of every lobe by {}, the largest share of the arriving light that leaves",
                 format::value(largest)
             ));
         if let Some(scaled) = scaled
@@ -252,7 +257,7 @@ const fn meaning(law: LawId) -> &'static str {
     match law {
         LawId::Reciprocity => "Light and viewer may change places",
         LawId::Energy => "No more light leaves than arrives",
-        LawId::Finite => "No value is negative, infinite or no number",
+        LawId::Finite => "No value is negative, infinite or not a number",
         LawId::Isotropy => "Whether the lobe stays as it is when the surface turns, as measured",
         other => other.measure(),
     }

@@ -242,7 +242,7 @@ fn ask_for_lobe(ui: &mut Ui, n: usize) -> Option<&'static ModelSpec> {
                 button.response.on_hover_text(category.meaning());
             }
         });
-        let hint = "Add the values of another model, times a weight";
+        let hint = "Add another model, scaled by a weight";
         let limit = format!("A material has at most {MAX_COMPONENTS} lobes");
         button
             .response

@@ -41,7 +41,7 @@ pub fn menu(ui: &mut Ui, session: &mut Session) -> Result<()> {
         }
     });
     menu.response.on_hover_text(
-        "Ready layouts, and views to add; views are moved by their names, onto another or beside it",
+        "Ready-made layouts, and views to add; drag a view by its name onto another or beside it",
     );
     opened
 }

@@ -4,6 +4,7 @@ pub mod badges;
 pub mod chart;
 pub mod choice;
 pub mod components;
+mod data;
 pub mod deltas;
 pub mod directions;
 pub mod draw;

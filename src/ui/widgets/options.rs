@@ -14,22 +14,22 @@ const SURFACES: [(LobeSurface, &str, &str); 4] = [
     (
         LobeSurface::Automatic,
         "Automatic",
-        "One lobe as a body, several as skins one sees through",
+        "One lobe as a solid, several as translucent shells",
     ),
     (
         LobeSurface::Solid,
         "Solid",
-        "Lobes as bodies that hide what is behind them",
+        "Lobes as solids that hide what is behind them",
     ),
     (
         LobeSurface::Wire,
         "Wire",
-        "Lobes as the edges of their meshes: shows where the mesh is fine, and lobes inside one another",
+        "Lobes as wireframes: shows where the mesh is fine, and lobes inside one another",
     ),
     (
         LobeSurface::Translucent,
         "Translucent",
-        "Lobes as skins one sees through: shows lobes inside one another",
+        "Lobes as translucent shells: shows lobes inside one another",
     ),
 ];
 
@@ -53,9 +53,9 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
         ui.label("Radius");
         let mut is_logarithmic = session.scale.is_logarithmic();
         ui.selectable_value(&mut is_logarithmic, false, "Linear")
-            .on_hover_text("Lengths in proportion to f");
+            .on_hover_text("Lengths proportional to f");
         ui.selectable_value(&mut is_logarithmic, true, "Logarithmic")
-            .on_hover_text("Lengths by decades below the peak: shows the tails of a narrow lobe");
+            .on_hover_text("Lengths in decades below the peak: shows the tails of a narrow lobe");
         if is_logarithmic != session.scale.is_logarithmic() {
             session.set_logarithmic(is_logarithmic);
         }

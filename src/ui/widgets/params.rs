@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use egui::{ComboBox, Response, Ui, accesskit};
 
 use crate::theme;
+use crate::widgets::data;
 use crate::widgets::number::{Number, Shown};
 use bxdf::Component;
 use bxdf::error::Error;
@@ -94,6 +95,18 @@ pub fn show(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>, ties
     ui.spacing_mut().slider_width = slider_width(ui, labels, can_lock);
     let before = component.clone();
     for (spec, value) in params.iter().filter(|(spec, _)| params.is_relevant(spec)) {
+        if spec.kind == Kind::Data {
+            let name = accessible(&spec.label(), ordinal);
+            let resource = params.resource(spec.name);
+            if let Some(changed) = data::show(ui, spec, &name, resource) {
+                // Data is of no combination that a model refuses.
+                let _ = match changed {
+                    Some(resource) => component.set_resource(spec.name, resource),
+                    None => component.set(spec.name, spec.default),
+                };
+            }
+            continue;
+        }
         let check = |value| before.clone().set(spec.name, value).map_err(reason);
         let mut edited = value;
         ui.push_id((component.model().id, spec.name), |ui| {
@@ -192,6 +205,8 @@ fn row(
                 });
             }
             Value::Choice(word) => choice(ui, spec, word, ordinal),
+            // It has a row of its own.
+            Value::Data(_) => {}
             Value::Bool(flag) => {
                 let checkbox = ui.checkbox(flag, spec.label()).on_hover_text(&hint);
                 name(&checkbox, &spec.label(), ordinal);
@@ -238,7 +253,7 @@ fn hint(spec: &ParamSpec) -> String {
         Kind::Number | Kind::Rgb => {
             format!("{}\n{}: {low} to {high}{unit}", spec.meaning, spec.name)
         }
-        Kind::Choice | Kind::Bool => format!("{}\n{}", spec.meaning, spec.name),
+        Kind::Choice | Kind::Bool | Kind::Data => format!("{}\n{}", spec.meaning, spec.name),
     }
 }
 
@@ -265,7 +280,7 @@ fn labels(spec: &ParamSpec) -> Vec<String> {
         Kind::Rgb => CHANNELS
             .map(|name| format!("{} {name}", spec.label()))
             .to_vec(),
-        Kind::Choice | Kind::Bool => Vec::new(),
+        Kind::Choice | Kind::Bool | Kind::Data => Vec::new(),
     }
 }
 

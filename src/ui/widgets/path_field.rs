@@ -45,7 +45,9 @@ impl PathField {
     pub fn new(dialog: FileDialog, folder: PathBuf) -> Self {
         let proposed = match &dialog {
             FileDialog::Open => "",
-            FileDialog::Save(name) | FileDialog::Export(name) => name,
+            FileDialog::Save(name) | FileDialog::SaveWithData(name) | FileDialog::Export(name) => {
+                name
+            }
         };
         let text = folder.join(proposed).display().to_string();
         Self {
@@ -86,11 +88,12 @@ impl PathField {
         let (title, verb) = match &self.dialog {
             FileDialog::Open => ("Open a file", "Open"),
             FileDialog::Save(_) => ("Save to a file", "Save"),
+            FileDialog::SaveWithData(_) => ("Save to a file, with all data", "Save"),
             FileDialog::Export(_) => ("Export to a file", "Export"),
         };
         ui.label(RichText::new(title).strong());
         ui.label(
-            RichText::new("This system offers no window to choose a file in")
+            RichText::new("This system has no file dialog")
                 .weak()
                 .small(),
         );
@@ -166,7 +169,10 @@ impl PathField {
         if matches!(found, Ok(Found::Folder)) {
             return Err(format!("{} is a folder: name a file in it", path.display()));
         }
-        let (FileDialog::Save(proposed) | FileDialog::Export(proposed)) = &self.dialog else {
+        let (FileDialog::Save(proposed)
+        | FileDialog::SaveWithData(proposed)
+        | FileDialog::Export(proposed)) = &self.dialog
+        else {
             return match found {
                 Ok(_) => Ok(path),
                 Err(error) => Err(format!("{}: {error}", path.display())),

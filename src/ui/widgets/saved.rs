@@ -70,7 +70,7 @@ impl Saved {
                     if ui.button("Copy path").clicked() {
                         ui.copy_text(path.display().to_string());
                     }
-                    let hint = "Show the file's folder in the program of this system for folders";
+                    let hint = "Open the file's folder in the system's file manager";
                     let button = Button::new("Open folder");
                     let is_idle = self.opening.is_none();
                     if ui

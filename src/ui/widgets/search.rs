@@ -68,7 +68,7 @@ impl Search {
             let found = found(&self.wanted);
             self.highlight.go(&found, rows);
             if matches!(found, Found::Nearest(_)) {
-                ui.weak("No command has these words; the nearest are");
+                ui.weak("No command matches; the nearest are");
             }
             let is_entered = ui.input(|input| input.key_pressed(Key::Enter));
             let (listed, next) = (found.listed(), self.highlight.at());

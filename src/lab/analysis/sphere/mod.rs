@@ -12,7 +12,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::{Basis, Detail, IsWanted, Pace, Query, Raster, Subject};
-use bxdf::batch::{Columns, Job, Path};
+use bxdf::batch::Columns;
 use bxdf::math::frame::direction_from_degrees;
 
 use dome::Dome;
@@ -183,18 +183,13 @@ fn directional(subject: &Subject<'_>, light: DVec3, normals: &[DVec3]) -> Vec<[f
     let pairs = normals.iter().map(|n| {
         let frame = Frame::at(*n);
         let (wo, wi) = (frame.local(DVec3::Z), frame.local(light));
-        [wo.x, wo.y, wo.z, wi.x, wi.y, wi.z]
+        (DVec3::from(wo), DVec3::from(wi))
     });
-    let pairs = Columns::from_rows(pairs);
-    let [ox, oy, oz, ix, iy, iz] = pairs.slices();
-    let mut f = Columns::filled(0.0, normals.len());
-    let job = Job::F {
-        wo: [ox, oy, oz],
-        wi: [ix, iy, iz],
-        f: f.slices_mut(),
-    };
-    subject.lobe.surface().batch(Path::Dispatched, job);
-    let values = f.rows().zip(iz);
+    let (wo, wi): (Vec<DVec3>, Vec<DVec3>) = pairs.unzip();
+    let wi = Columns::directions(wi);
+    let f = subject.lobe.surface().values(&Columns::directions(wo), &wi);
+    let [_, _, cosines] = wi.slices();
+    let values = f.rows().zip(cosines);
     values
         .map(|(f, cos)| f.map(|f| f * cos.abs() * IRRADIANCE))
         .collect()

@@ -173,20 +173,7 @@ impl Surface<'_> {
     /// Samples of the surface's own.
     fn by_sampler(&self, numbers: &Numbers) -> Drawn {
         let held = self.held(numbers.len());
-        let mut drawn = Drawn::new(numbers.len());
-        let [x, y, z, r, g, b, pdf, delta] = drawn.0.slices_mut();
-        let [uc, u, v] = numbers.slices();
-        let job = Job::Sample {
-            wo: held.slices(),
-            uc,
-            u: [u, v],
-            wi: [x, y, z],
-            f: [r, g, b],
-            pdf,
-            delta,
-        };
-        self.bxdf.batch(Path::Dispatched, job);
-        drawn
+        Drawn(self.bxdf.samples(&held, numbers))
     }
 
     fn held(&self, n: usize) -> Columns<f64, 3> {
@@ -196,14 +183,7 @@ impl Surface<'_> {
     /// f |cos| at the directions `wi`, as luminance.
     #[must_use]
     pub fn values(&self, wi: &Columns<f64, 3>) -> Vec<f64> {
-        let held = self.held(wi.len());
-        let mut values = Columns::filled(0.0, wi.len());
-        let job = Job::F {
-            wo: held.slices(),
-            wi: wi.slices(),
-            f: values.slices_mut(),
-        };
-        self.bxdf.batch(Path::Dispatched, job);
+        let values = self.bxdf.values(&self.held(wi.len()), wi);
         let values = values.rows().zip(wi.rows());
         values
             .map(|(f, [_, _, z])| luminance(f) * z.abs())

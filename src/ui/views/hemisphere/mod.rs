@@ -82,7 +82,7 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
             &Quantity::ALL,
             Quantity::title,
         );
-        let hint = "By itself, or compared with the reference";
+        let hint = "On its own, or compared with the reference";
         choice::choice(
             ui,
             ("Compared", hint),
@@ -93,7 +93,7 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
         if options.comparison != Comparison::None {
             super::context::reference_choice(ui, &mut session.materials);
         }
-        let hint = "How directions lie on the disc";
+        let hint = "How directions are projected onto the disc";
         choice::choice(
             ui,
             ("Disc", hint),
@@ -101,7 +101,7 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
             &Projection::ALL,
             Projection::title,
         );
-        let hint = "Colours by decades below the highest value";
+        let hint = "A logarithmic scale: decades below the highest value";
         choice::switch_if(
             options.comparison == Comparison::None,
             ui,

@@ -238,6 +238,6 @@ const ESTIMATOR_COLUMNS: [(&str, &str); 6] = [
     ("Variance", "The variance of one sample"),
     (
         "Samples needed",
-        "How many samples it takes for the error of one sample of the model's own sampling",
+        "How many samples reach the error of one sample drawn by the model itself",
     ),
 ];

@@ -21,7 +21,7 @@ use bxdf_study::session::OrbitCamera;
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
 use bxdf_study::views::sampling::{Options, Plot, WARP};
 
-/// How directions lie on the discs.
+/// How directions are projected onto the discs.
 const DISC: Projection = Projection::EqualArea;
 
 /// Room for labels around a disc, in points.

@@ -92,7 +92,7 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
         let shown = number.slider(ui, "", &mut options.exposure);
         shown.on_hover_text(hint).explain(ui);
         if is_overlay {
-            let hint = "How the spheres of several materials stand";
+            let hint = "How the spheres of several materials are arranged";
             choice::choice(
                 ui,
                 ("Spheres", hint),

@@ -1,4 +1,4 @@
-//! Formulas on trial: the errors of the textbook's form and of the core's along a parameter.
+//! Formulas compared: the errors of the textbook's form and of the core's along a parameter.
 
 use egui::{RichText, Ui};
 
@@ -6,7 +6,7 @@ use super::super::context::ViewContext;
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{Axis, Chart, Series};
 use crate::widgets::draw;
-use bxdf_lab::trial::{Outcome, TRIALS, Trial};
+use bxdf_lab::formula_comparison::{COMPARISONS, Comparison, Outcome};
 use bxdf_study::format;
 use bxdf_study::views::stability::Options;
 
@@ -19,15 +19,18 @@ const ERRORS: [f64; 2] = [1e-18, 10.0];
 /// Room below the chart for the words, in points.
 const WORDS: f32 = 84.0;
 
-/// The trial of this id, the first where there is none.
-pub(super) fn chosen(id: &str) -> &'static Trial {
-    let [first, ..] = &TRIALS;
-    TRIALS.iter().find(|trial| trial.id == id).unwrap_or(first)
+/// The comparison of this id, the first where there is none.
+pub(super) fn chosen(id: &str) -> &'static Comparison {
+    let [first, ..] = &COMPARISONS;
+    COMPARISONS
+        .iter()
+        .find(|comparison| comparison.id == id)
+        .unwrap_or(first)
 }
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    let trial = chosen(&cx.options.trial);
-    let outcomes: Vec<(f64, Outcome)> = trial.curve(COUNT).collect();
+    let comparison = chosen(&cx.options.trial);
+    let outcomes: Vec<(f64, Outcome)> = comparison.curve(COUNT).collect();
     let line = |of: &dyn Fn(&Outcome) -> f64| -> Vec<[f64; 2]> {
         let place = |(x, outcome): &(f64, Outcome)| [*x, of(outcome).clamp(ERRORS[0], ERRORS[1])];
         outcomes.iter().map(place).collect()
@@ -45,7 +48,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         [
             Axis {
                 is_logarithmic: true,
-                ..Axis::linear(trial.axis, trial.range)
+                ..Axis::linear(comparison.axis, comparison.range)
             },
             Axis {
                 is_logarithmic: true,
@@ -76,14 +79,14 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let shown = chart.show(ui, Some(height), cx.palette);
     if let Some(pointer) = shown.response.hover_pos() {
         let [x, _] = chart.value_at(&shown, pointer);
-        let [from, to] = trial.range;
-        let text = read_out(trial, x.clamp(from, to));
+        let [from, to] = comparison.range;
+        let text = read_out(comparison, x.clamp(from, to));
         draw::pointer_note(ui, pointer, shown.frame(), &text, cx.palette);
     }
     for (name, text) in [
-        ("Textbook", trial.textbook),
-        ("Core", trial.stable),
-        ("Why", trial.why),
+        ("Textbook", comparison.textbook),
+        ("Core", comparison.stable),
+        ("Why", comparison.why),
     ] {
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(name).small().strong());
@@ -92,15 +95,15 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
 }
 
-fn read_out(trial: &Trial, x: f64) -> String {
-    let outcome = trial.at(x);
+fn read_out(comparison: &Comparison, x: f64) -> String {
+    let outcome = comparison.at(x);
     let line = |name: &str, of: [f64; 2]| {
         let [single, double] = of.map(format::value);
         format!("{name}: {single} in f32, {double} in f64")
     };
     format!(
         "{}: {}\n{}\n{}\n{}",
-        trial.axis,
+        comparison.axis,
         format::value(x),
         line("textbook", outcome.textbook),
         line("core", outcome.stable),

@@ -10,8 +10,8 @@ use egui::{RichText, Ui};
 use super::context::ViewContext;
 use crate::theme;
 use crate::widgets::{choice, draw};
+use bxdf_lab::formula_comparison::COMPARISONS;
 use bxdf_lab::stability::map::Axis;
-use bxdf_lab::trial::TRIALS;
 use bxdf_study::session::Session;
 use bxdf_study::views::stability::{ErrorUnit, Options, Plot};
 
@@ -58,7 +58,7 @@ fn controls(ui: &mut Ui, session: &Session, options: &mut Options) {
             formula_choice(ui, &mut options.trial);
             return;
         }
-        let hint = "What runs to the right; all else stays as it is";
+        let hint = "What varies along the horizontal axis; all else is fixed";
         axis_choice(ui, ("Across", hint), &mut options.x, &x, &axes);
         let hint = "What runs upwards";
         axis_choice(ui, ("Up", hint), &mut options.y, &y, &axes);
@@ -94,10 +94,10 @@ fn axis_choice(
 fn formula_choice(ui: &mut Ui, chosen: &mut String) {
     let shown = formulas::chosen(chosen);
     let mut id = shown.id;
-    let hint = "A quantity written as textbooks have it, and as the core has it";
+    let hint = "A quantity as textbooks write it, and as the core computes it";
     choice::named_combo(ui, ("Formula", "Formula", hint), shown.title, |ui| {
-        for trial in &TRIALS {
-            ui.selectable_value(&mut id, trial.id, trial.title);
+        for comparison in &COMPARISONS {
+            ui.selectable_value(&mut id, comparison.id, comparison.title);
         }
     });
     if id != shown.id {

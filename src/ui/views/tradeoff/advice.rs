@@ -51,7 +51,7 @@ fn entry(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report, advice
     };
     ui.label(RichText::new(title).small().strong());
     if !advice.met {
-        let text = RichText::new("Nothing is that near; the closest is").small();
+        let text = RichText::new("Nothing comes that close; the nearest is").small();
         ui.label(text.color(cx.palette.warning));
     }
     let n = advice.n.map_or(String::new(), |n| format!(", {n}"));
@@ -80,13 +80,13 @@ fn use_or_save(
     material: &Material,
 ) {
     if cx.session.material().components() == material.components() {
-        let hint = "Write the selected material into a file";
+        let hint = "Save the selected material to a file";
         if ui.small_button("Save it…").on_hover_text(hint).clicked() {
             cx.state.wished_file = Some((cx.view, Format::Toml));
         }
         return;
     }
-    let hint = "Put it into the list of materials, beside the one measured";
+    let hint = "Add it to the list of materials, next to the one measured";
     if ui.small_button("Use it").on_hover_text(hint).clicked() {
         let mut points = report.families.iter().flat_map(|family| &family.points);
         let of_it = |point: &&Point| point.material.as_ref() == Some(material);

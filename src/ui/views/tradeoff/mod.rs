@@ -27,7 +27,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let report = ordered.as_ref().and_then(|ordered| ordered.answer.clone());
     let Some(report) = report.filter(|report| !report.families.is_empty()) else {
         let note = match ordered {
-            Some(_) => "Looking where the light of the material is …",
+            Some(_) => "Finding where the material sends its light …",
             None => {
                 "Press Measure: every choice a renderer has for this material is tried on this \
                  machine, some seconds long"

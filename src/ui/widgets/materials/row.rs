@@ -57,6 +57,13 @@ impl Row<'_> {
 
     /// What became of the laws, where it is in sight.
     fn badge(&self, ui: &mut Ui, data: &mut Data, palette: &Palette, wished: &mut Vec<Action>) {
+        if let Some(lack) = self.entry.material.lack() {
+            let mark = ui.colored_label(palette.warning, "⚠");
+            let name = format!("{} is not shown: {lack}", self.title);
+            mark.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
+            mark.on_hover_text(name);
+            return;
+        }
         let size = vec2(theme::RESET_WIDTH, theme::GRIP.y);
         let is_in_sight = ui.is_rect_visible(Rect::from_center_size(ui.max_rect().center(), size));
         let checks = if is_in_sight {
@@ -218,12 +225,12 @@ impl Row<'_> {
         };
         let is_several = self.materials.count() > 1;
         if self.is_alone() {
-            let words = ["Show with the others", "Show all that are ticked again"];
+            let words = ["Show with the others", "Show all ticked materials again"];
             item(ui, true, words, Action::SetSolo(false));
         } else {
             let words = [
                 "Show alone",
-                "Hide all others until it is shown with them again",
+                "Hide all the others for now",
             ];
             item(ui, is_several, words, Action::SetSolo(true));
         }
@@ -232,12 +239,12 @@ impl Row<'_> {
         item(ui, true, words, Action::StartRenaming);
         let words = [
             "Duplicate",
-            "Add another one like it, to be changed beside it",
+            "Add a copy to edit beside it",
         ];
         item(ui, true, words, Action::Duplicate);
         let words = [
             "Copy as text",
-            "Copy it as text that can be pasted here, kept as a file, or given to the command line",
+            "Copy it as text, to paste here, save as a file or use on the command line",
         ];
         item(ui, true, words, Action::Copy);
         ui.separator();

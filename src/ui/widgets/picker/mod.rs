@@ -179,7 +179,7 @@ impl Picker {
     /// Says where nothing has the words, and where what is selected is not among what has them.
     fn say_found(&self, ui: &mut Ui, found: &Found<Entry>, selected: &MaterialEntry) {
         if matches!(found, Found::Nearest(_)) {
-            ui.weak("No model or material has these words; the nearest names are");
+            ui.weak("No model or material matches; the nearest names are");
         }
         let Some(origin) = Entry::of(&selected.material) else {
             return;
@@ -211,7 +211,7 @@ impl Picker {
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let word = if self.is_folded { "Unfold" } else { "Fold" };
-                let hint = "Fold the list away, to leave its room to the parameters, or unfold it";
+                let hint = "Collapse the list to make room for the parameters, or expand it";
                 if ui.small_button(word).on_hover_text(hint).clicked() {
                     self.is_folded = !self.is_folded;
                 }

@@ -1,4 +1,4 @@
-//! The quantities on trial, each written twice.
+//! The quantities compared, each written twice.
 
 use bxdf::internals::Conductor;
 use bxdf::internals::Normals as _;

@@ -1,6 +1,6 @@
-//! Formulas on trial: textbook forms that lose their digits, beside those of the core.
+//! Formulas compared: textbook forms that lose their digits, beside those of the core.
 //!
-//! Each [`Trial`] is one quantity along one parameter, written twice: as textbooks and other renderers have it, and as the
+//! Each [`Comparison`] is one quantity along one parameter, written twice: as textbooks and other renderers have it, and as the
 //! core has it, by the core's own function. Both are run in f32 and f64 and held against the reference precision at the
 //! same rounded parameter: the reason why the core's code looks as it does.
 
@@ -25,8 +25,8 @@ pub struct Outcome {
     pub allowed: [f64; 2],
 }
 
-/// A quantity on trial along a parameter.
-pub struct Trial {
+/// A quantity compared along a parameter.
+pub struct Comparison {
     /// The word for it.
     pub id: &'static str,
     /// The name at the screen.
@@ -44,7 +44,7 @@ pub struct Trial {
     outcome: fn(f64) -> Outcome,
 }
 
-impl Trial {
+impl Comparison {
     /// The errors at `x` of [`Self::range`].
     #[must_use]
     pub fn at(&self, x: f64) -> Outcome {
@@ -61,9 +61,9 @@ impl Trial {
     }
 }
 
-/// Every trial.
-pub static TRIALS: [Trial; 7] = [
-    Trial {
+/// Every comparison.
+pub static COMPARISONS: [Comparison; 7] = [
+    Comparison {
         id: "ggx",
         title: "GGX distribution",
         textbook: "1 / (pi alpha^2 cos^4 (1 + tan^2 / alpha^2)^2), tan^2 = (1 - cos^2) / cos^2",
@@ -73,7 +73,7 @@ pub static TRIALS: [Trial; 7] = [
         range: [1e-4, 1.0],
         outcome: outcome::<formulas::Ggx>,
     },
-    Trial {
+    Comparison {
         id: "fresnel",
         title: "Fresnel reflectance near index 1",
         textbook: "((n cos_i - cos_t) / (n cos_i + cos_t))^2 and its like, cos_t by Snell's law",
@@ -83,7 +83,7 @@ pub static TRIALS: [Trial; 7] = [
         range: [1e-7, 1.0],
         outcome: outcome::<formulas::NearIndexOne>,
     },
-    Trial {
+    Comparison {
         id: "conductor",
         title: "Fresnel reflectance with absorption",
         textbook: "a^2 + b^2 = sqrt((n^2 - k^2 - sin^2)^2 + 4 n^2 k^2), 2 a^2 = a^2 + b^2 + n^2 - k^2 - sin^2",
@@ -93,7 +93,7 @@ pub static TRIALS: [Trial; 7] = [
         range: [1e-6, 1e10],
         outcome: outcome::<formulas::Metal>,
     },
-    Trial {
+    Comparison {
         id: "lambda",
         title: "Smith's Lambda",
         textbook: "(sqrt(1 + alpha^2 tan^2) - 1) / 2",
@@ -103,7 +103,7 @@ pub static TRIALS: [Trial; 7] = [
         range: [1e-6, 1.57],
         outcome: outcome::<formulas::Lambda>,
     },
-    Trial {
+    Comparison {
         id: "gtr1",
         title: "GTR1 distribution of a clear coat",
         textbook: "(a^2 - 1) / (pi log1p(a^2 - 1) (1 + (a^2 - 1) cos^2))",
@@ -113,7 +113,7 @@ pub static TRIALS: [Trial; 7] = [
         range: [1e-5, 0.99],
         outcome: outcome::<formulas::ClearCoat>,
     },
-    Trial {
+    Comparison {
         id: "power",
         title: "Power of a cosine",
         textbook: "cos^n, the cosine's power as the library has it",
@@ -123,7 +123,7 @@ pub static TRIALS: [Trial; 7] = [
         range: [1.0, 1e4],
         outcome: outcome::<formulas::Power>,
     },
-    Trial {
+    Comparison {
         id: "fujii",
         title: "Energy lost by Fujii's Oren-Nayar",
         textbook: "pi c1 - G, G = S (acos mu - S mu) + 2/3 ((S / mu)(1 - S^3) - S)",
@@ -169,10 +169,10 @@ mod tests {
     /// Values tried along each parameter.
     const COUNT: usize = 2000;
 
-    /// The largest of what `of` gives in f32 and f64 along the trial.
-    fn largest(trial: &Trial, of: impl Fn(&Outcome, usize) -> f64) -> [f64; 2] {
+    /// The largest of what `of` gives in f32 and f64 along the comparison.
+    fn largest(comparison: &Comparison, of: impl Fn(&Outcome, usize) -> f64) -> [f64; 2] {
         [0, 1].map(|precision| {
-            let all = trial
+            let all = comparison
                 .curve(COUNT)
                 .map(|(_, outcome)| of(&outcome, precision));
             all.fold(0.0, f64::max)
@@ -181,24 +181,26 @@ mod tests {
 
     #[test]
     fn the_cores_forms_keep_the_law_and_lose_far_less_than_the_textbooks() {
-        for trial in &TRIALS {
-            let ratio = largest(trial, |outcome, p| outcome.stable[p] / outcome.allowed[p]);
-            let stable = largest(trial, |outcome, p| outcome.stable[p]);
-            let textbook = largest(trial, |outcome, p| outcome.textbook[p]);
+        for comparison in &COMPARISONS {
+            let ratio = largest(comparison, |outcome, p| {
+                outcome.stable[p] / outcome.allowed[p]
+            });
+            let stable = largest(comparison, |outcome, p| outcome.stable[p]);
+            let textbook = largest(comparison, |outcome, p| outcome.textbook[p]);
             println!(
                 "{}: stable {stable:?}, {ratio:?} of the bound; textbook {textbook:?}",
-                trial.id
+                comparison.id
             );
             assert!(
                 ratio.into_iter().all(|ratio| ratio <= 1.0),
                 "{} {ratio:?}",
-                trial.id
+                comparison.id
             );
             for (textbook, stable) in textbook.into_iter().zip(stable) {
                 assert!(
                     textbook > 100.0 * stable,
                     "{}: {textbook:e} {stable:e}",
-                    trial.id
+                    comparison.id
                 );
             }
         }
@@ -206,13 +208,13 @@ mod tests {
 
     #[test]
     fn both_forms_are_the_same_quantity() {
-        for trial in &TRIALS {
+        for comparison in &COMPARISONS {
             // Where the textbook's form still has digits, in f64, at the better end of the range or in its middle.
-            let agree = trial
+            let agree = comparison
                 .curve(COUNT)
                 .filter(|(_, outcome)| outcome.textbook[1] < 1e-11)
                 .count();
-            assert!(agree > COUNT / 4, "{}: {agree} of {COUNT}", trial.id);
+            assert!(agree > COUNT / 4, "{}: {agree} of {COUNT}", comparison.id);
         }
     }
 }

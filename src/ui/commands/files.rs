@@ -1,0 +1,94 @@
+//! The commands of files and of the clipboard.
+
+use egui::{Key, ViewportCommand};
+
+use super::command::{CTRL, CTRL_ALT, CTRL_SHIFT, Command, Group, command, key};
+use crate::app::App;
+
+/// Begins anew.
+pub static NEW: Command = command(
+    Group::File,
+    [
+        "new",
+        "New session",
+        "Start a new session; undo brings this one back",
+    ],
+    &[key(CTRL, Key::N)],
+    |app, _| app.start_anew(),
+);
+
+/// Opens a file.
+pub static OPEN: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        [
+            "open",
+            "Open…",
+            "Open a session in place of this one, or a material or its data beside the others; files can also be dropped on the window",
+        ],
+        &[key(CTRL, Key::O)],
+        |app, _| app.ask_open(),
+    )
+};
+
+/// Saves to the file of the session.
+pub static SAVE: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        ["save", "Save", "Save the session to its file"],
+        &[key(CTRL, Key::S)],
+        |app, _| app.save(),
+    )
+};
+
+/// Saves to another file.
+pub static SAVE_AS: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        ["save_as", "Save as…", "Save the session to another file"],
+        &[key(CTRL_SHIFT, Key::S)],
+        |app, _| app.ask_save(),
+    )
+};
+
+/// Saves to a file that needs no other.
+pub static SAVE_WITH_DATA: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        [
+            "save_with_data",
+            "Save with data…",
+            "Save the session to a file with all data in it: it opens the same where the files of the data are missing",
+        ],
+        &[key(CTRL_ALT, Key::S)],
+        |app, _| app.ask_save_with_data(),
+    )
+};
+
+/// Copies the session.
+pub static COPY_SESSION: Command = command(
+    Group::File,
+    [
+        "copy_session",
+        "Copy session as text",
+        "Copy everything on the screen, data included, as one text that restores it where it is pasted",
+    ],
+    &[key(CTRL_SHIFT, Key::C)],
+    App::copy_session,
+);
+
+/// Pastes what is in the clipboard.
+pub static PASTE: Command = command(
+    Group::File,
+    [
+        "paste",
+        "Paste",
+        "Add the material in the clipboard (id:name=value,name=value, or the text of a file), or switch to its session",
+    ],
+    &[key(CTRL, Key::V)],
+    |_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
+);
