@@ -7,6 +7,7 @@ pub mod deltas;
 pub mod half_difference;
 pub mod hemisphere;
 pub mod inspector;
+pub mod integral;
 pub mod isotropy;
 pub mod lobe;
 pub mod lobe3d;

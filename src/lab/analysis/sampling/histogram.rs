@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::draws::FIRST_SEED;
 use super::points::{Point, Samples, drawn};
 use crate::analysis::quadrature::integrate_square;
 use crate::analysis::statistics::{ChiSquare, chi_square};
@@ -77,9 +78,7 @@ impl Histogram {
         let pilots = drawn(lobe, n * PILOTS_PER_CELL, !seed, is_wanted)?;
         let patches = patches(lobe, &pilots);
         let tolerance = COUNT_TOLERANCE / (count.max(1) as f64 * n as f64).sqrt();
-        let integral = |patch: &Patch| is_wanted().then(|| patch.density(lobe, tolerance));
-        let integrals = patches.par_iter().map(integral);
-        let integrals: Vec<[f64; 2]> = integrals.collect::<Option<_>>()?;
+        let integrals = integrals(lobe, &patches, (tolerance, MAX_EVALUATIONS), is_wanted)?;
         let observed = observed(&patches, points);
         let counted = patches.iter().zip(integrals.iter().zip(observed));
         let cells = counted.map(|(patch, ([share, _], observed))| Cell {
@@ -167,7 +166,11 @@ impl Patch {
     }
 
     /// The integral of the sampler's density, and its error.
-    fn density(&self, lobe: &HeldLobe<'_>, tolerance: f64) -> [f64; 2] {
+    fn density(
+        &self,
+        lobe: &HeldLobe<'_>,
+        (tolerance, max_evaluations): (f64, usize),
+    ) -> [f64; 2] {
         let solid_angle = self.solid_angle();
         let values = |u: &[[f64; 2]]| {
             let directions: Vec<DVec3> = u.iter().map(|u| self.direction(*u)).collect();
@@ -177,7 +180,7 @@ impl Patch {
                 .map(|pdf| [pdf * solid_angle, 0.0, 0.0])
                 .collect()
         };
-        let integral = integrate_square(&values, tolerance, MAX_EVALUATIONS);
+        let integral = integrate_square(&values, tolerance, max_evaluations);
         let [share, ..] = integral.value;
         [share, integral.error]
     }
@@ -262,6 +265,40 @@ fn patches(lobe: &HeldLobe<'_>, pilots: &Samples) -> Vec<Patch> {
         whole.parts(&mut points, true, &mut patches);
     }
     patches
+}
+
+/// The integral of the density over each patch with its error, where they are wanted to the end; `accuracy`: the error
+/// wanted in each, and how many values each may take.
+fn integrals(
+    lobe: &HeldLobe<'_>,
+    patches: &[Patch],
+    accuracy: (f64, usize),
+    is_wanted: IsWanted<'_>,
+) -> Option<Vec<[f64; 2]>> {
+    let integral = |patch: &Patch| is_wanted().then(|| patch.density(lobe, accuracy));
+    patches.par_iter().map(integral).collect()
+}
+
+/// Cells in which the density is integrated where no samples are counted.
+const CELLS_OF_DENSITY: usize = 32;
+
+/// The probability that a sample is no delta and not lost, and its estimated error: the integral of the density over the
+/// sphere. `tolerance`: absolute error wanted; `max_evaluations`: how many densities it may take. `None` where it was not
+/// wanted to the end.
+pub fn probability_of_values(
+    lobe: &HeldLobe<'_>,
+    tolerance: f64,
+    max_evaluations: usize,
+    is_wanted: IsWanted<'_>,
+) -> Option<[f64; 2]> {
+    let count = CELLS_OF_DENSITY * PILOTS_PER_CELL;
+    let pilots = drawn(lobe, count, u64::from(FIRST_SEED), is_wanted)?;
+    let patches = patches(lobe, &pilots);
+    let n = patches.len().max(1);
+    let accuracy = (tolerance / n as f64, max_evaluations / n);
+    let integrals = integrals(lobe, &patches, accuracy, is_wanted)?;
+    let add = |[a, b]: [f64; 2], [x, y]: &[f64; 2]| [a + x, b + y];
+    Some(integrals.iter().fold([0.0; 2], add))
 }
 
 /// How many of `points`, without deltas, lie in each patch.

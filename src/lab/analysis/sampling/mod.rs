@@ -14,7 +14,7 @@ use bxdf::optics::spectrum::luminance;
 
 pub use draws::{CHUNK, Draw, Draws, FIRST_SEED};
 pub use estimator::Estimator;
-pub use histogram::{Cell, Histogram, WeightBin, WeightHistogram};
+pub use histogram::{Cell, Histogram, WeightBin, WeightHistogram, probability_of_values};
 pub use points::Point;
 pub use warp::{Warp, WarpRequest};
 
