@@ -182,8 +182,7 @@ fn tab_menu(ui: &mut Ui, views: &Views, view: ViewId) -> Option<Wish> {
     }
     let mut options = views.get(view).cloned();
     if let Some(section) = options.as_mut().and_then(Options::own_section) {
-        let hint =
-            "Give it a section at an azimuth of its own, whatever the other views show";
+        let hint = "Give it a section at an azimuth of its own, whatever the other views show";
         let mut is_own = section.0.is_some();
         let switch = ui.checkbox(&mut is_own, "Own section");
         if switch.on_hover_text(hint).clicked() {

@@ -43,6 +43,7 @@ impl Material {
     ///
     /// # Errors
     /// Where such data is broken.
+    #[must_use]
     pub fn of_data(bytes: &[u8], path: Option<&Path>) -> Option<Result<Self>> {
         let (model, spec) =
             formats().find(|(_, spec)| Decoder::of(spec.decoders, bytes, path).is_some())?;

@@ -36,9 +36,10 @@ impl Recipe {
             let table: toml::Table = text.parse().ok()?;
             table.get("name")?.as_str().map(str::to_owned)
         };
-        let material = match self.text.contains('\n') {
-            true => named(&self.text).unwrap_or_else(|| "a mixture".to_owned()),
-            false => self.text.clone(),
+        let material = if self.text.contains('\n') {
+            named(&self.text).unwrap_or_else(|| "a mixture".to_owned())
+        } else {
+            self.text.clone()
         };
         format!("{material} in a table of {} nodes", self.shape)
     }

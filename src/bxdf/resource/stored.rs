@@ -24,6 +24,12 @@ const BASE64: &str = "base64";
 /// The keys of the table.
 const KEYS: [&str; 6] = [FILE, BAKED, SHAPE, SHA256, TEXT, BASE64];
 
+/// The most bytes that a byte of a name takes where TOML writes it as an escape sequence.
+const ESCAPED: u64 = 6;
+
+/// More than the keys of the table have as text, with the hash.
+const KEYS_ROOM: u64 = 256;
+
 /// Reads and writes data in texts.
 pub(crate) struct Stored<'a> {
     /// What reads it.
@@ -157,9 +163,6 @@ impl Resource {
             Some(text) => text.len() as u64,
             None => 4 * (decoded.bytes().len() as u64).div_ceil(3),
         });
-        // A name may be written with an escape sequence for each of its bytes.
-        const ESCAPED: u64 = 6;
-        const KEYS_ROOM: u64 = 256;
         KEYS_ROOM + ESCAPED * name as u64 + bytes
     }
 }

@@ -118,7 +118,7 @@ impl Query for ExactRequest {
 
 impl ExactRequest {
     /// The sum with so many patches on a side.
-    fn at(&self, count_log2: u8) -> Request {
+    fn at(self, count_log2: u8) -> Request {
         Request {
             integrand: self.integrand,
             count_log2,

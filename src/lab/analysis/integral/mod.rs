@@ -252,7 +252,7 @@ impl Request {
 
     /// What the deltas add to the sum: the share of the flux where light is held; where a viewer is, the radiance that it
     /// sees by them under an even sky of radiance 1. Only f cos counts them.
-    fn deltas(&self, lobe: &HeldLobe<'_>) -> Vec<Point> {
+    fn deltas(self, lobe: &HeldLobe<'_>) -> Vec<Point> {
         if self.integrand != Integrand::FCos {
             return Vec::new();
         }

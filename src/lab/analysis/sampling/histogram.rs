@@ -166,11 +166,7 @@ impl Patch {
     }
 
     /// The integral of the sampler's density, and its error.
-    fn density(
-        &self,
-        lobe: &HeldLobe<'_>,
-        (tolerance, max_evaluations): (f64, usize),
-    ) -> [f64; 2] {
+    fn density(&self, lobe: &HeldLobe<'_>, (tolerance, max_evaluations): (f64, usize)) -> [f64; 2] {
         let solid_angle = self.solid_angle();
         let values = |u: &[[f64; 2]]| {
             let directions: Vec<DVec3> = u.iter().map(|u| self.direction(*u)).collect();

@@ -228,19 +228,13 @@ impl Row<'_> {
             let words = ["Show with the others", "Show all ticked materials again"];
             item(ui, true, words, Action::SetSolo(false));
         } else {
-            let words = [
-                "Show alone",
-                "Hide all the others for now",
-            ];
+            let words = ["Show alone", "Hide all the others for now"];
             item(ui, is_several, words, Action::SetSolo(true));
         }
         ui.separator();
         let words = ["Rename", "Give it a name of its own (F2)"];
         item(ui, true, words, Action::StartRenaming);
-        let words = [
-            "Duplicate",
-            "Add a copy to edit beside it",
-        ];
+        let words = ["Duplicate", "Add a copy to edit beside it"];
         item(ui, true, words, Action::Duplicate);
         let words = [
             "Copy as text",
