@@ -17,6 +17,7 @@ mod files;
 mod gestures;
 mod history;
 mod instances;
+mod integral;
 mod interaction;
 mod keeping;
 mod list;

@@ -7,7 +7,7 @@ use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::param::{Kind, ParamSpec, Value};
 use brdf_explorer::bxdf::{Component, Material, ModelSpec};
 use brdf_explorer::study::session::{Session, folded_deg, wrapped_deg};
-use brdf_explorer::study::views::{VIEWS, cartesian, sampling, slice, sphere, tradeoff};
+use brdf_explorer::study::views::{VIEWS, cartesian, integral, sampling, slice, sphere, tradeoff};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::widgets::components::Components;
 use brdf_explorer::ui::widgets::params::Ties;
@@ -230,12 +230,18 @@ fn try_field<S>(harness: &mut Harness<'_, S>, field: &Field, session: impl Fn(&S
 
 #[test]
 fn every_number_of_every_view_is_typed() {
-    let listed: [Field; 7] = [
+    let listed: [Field; 9] = [
         ("cartesian", "at θd", [0.0, 90.0], Some, |s| {
             s.views.options::<cartesian::Options>().fixed_deg
         }),
         ("cartesian", "at θh", [0.0, 90.0], Some, |s| {
             s.views.options::<cartesian::Options>().fixed_deg
+        }),
+        ("integral", "Patches", [16.0, 4096.0], power_of_2, |s| {
+            f64::from(s.views.options::<integral::Options>().count_log2).exp2()
+        }),
+        ("integral", "Seconds", [1.0, 60.0], Some, |s| {
+            s.views.options::<integral::Options>().seconds
         }),
         ("slice", "φd", [0.0, 180.0], Some, |s| {
             s.views.options::<slice::Options>().phi_d_deg

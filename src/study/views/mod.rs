@@ -12,6 +12,7 @@ pub mod cartesian;
 pub mod decomposition;
 pub mod hemisphere;
 pub mod inspector;
+pub mod integral;
 mod kind;
 pub mod lobe3d;
 pub mod polar;
@@ -33,7 +34,7 @@ pub use section::{OWN_SECTION, OwnSection};
 macro_rules! view_kinds {
     ($then:ident) => {
         $then! {
-            polar lobe3d cartesian hemisphere reflectance slice sphere sampling decomposition tradeoff stability inspector
+            polar lobe3d cartesian hemisphere integral reflectance slice sphere sampling decomposition tradeoff stability inspector
         }
     };
 }

@@ -145,6 +145,13 @@ impl Palette {
         }
     }
 
+    /// The surface itself, as egui takes it.
+    #[must_use]
+    pub fn ground_color(&self) -> Color32 {
+        let [r, g, b, alpha] = self.ground;
+        translucent([r, g, b], alpha)
+    }
+
     /// The colour of the held direction.
     #[must_use]
     pub fn held(&self, hold: Hold) -> Color32 {

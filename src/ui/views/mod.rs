@@ -12,6 +12,7 @@ mod context;
 mod decomposition;
 mod hemisphere;
 mod inspector;
+mod integral;
 mod lobe3d;
 mod polar;
 mod reflectance;

@@ -81,6 +81,36 @@ pub fn angle(ui: &mut Ui, (name, hint): (&str, &str), value: &mut f64, spec: &Nu
     number.field(ui, value).on_hover_text(hint).explain(ui);
 }
 
+/// A power of 2 with its name before it: the exponent, which is what `log2` and `spec` are of, on the slider, the number itself
+/// in the field.
+pub fn power_of_two(ui: &mut Ui, (name, hint): (&str, &str), log2: &mut u8, spec: &NumberSpec) {
+    let spacing = ui.spacing();
+    let rail = spacing.slider_width + theme::NUMBER_WIDTH + 3.0 * spacing.item_spacing.x;
+    keep_together(ui, width_of(ui, name, &egui::TextStyle::Body) + rail);
+    ui.label(name).on_hover_text(hint);
+    let mut exponent = f64::from(*log2);
+    let counts = NumberSpec::new(spec.name, spec.range.map(f64::exp2)).whole();
+    let is_power = |count: f64| {
+        let allowed = counts.allowed();
+        let problem = || format!("{count} is no power of 2; {allowed}");
+        (count.log2().fract() == 0.0)
+            .then_some(())
+            .ok_or_else(problem)
+    };
+    let shown = ui.horizontal(|ui| {
+        let rail = Number::new(name, *spec).steps(1.0, 0);
+        rail.rail(ui, &mut exponent);
+        let mut count = exponent.exp2();
+        let field = Number::new(name, counts).check(&is_power);
+        let shown = field.field(ui, &mut count);
+        exponent = count.log2();
+        shown
+    });
+    let shown = shown.inner.on_hover_text(hint);
+    shown.explain(ui);
+    *log2 = exponent.round() as u8;
+}
+
 /// A switch.
 pub fn switch(ui: &mut Ui, named: (&str, &str), value: &mut bool) {
     switch_if(true, ui, named, value);
