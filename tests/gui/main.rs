@@ -14,6 +14,7 @@ mod deltas;
 mod drawing;
 mod export;
 mod files;
+mod fresnel;
 mod gestures;
 mod history;
 mod instances;

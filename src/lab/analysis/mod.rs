@@ -4,6 +4,7 @@ pub mod cartesian;
 mod chart;
 pub mod decomposition;
 pub mod deltas;
+pub mod fresnel;
 pub mod half_difference;
 pub mod hemisphere;
 pub mod inspector;

@@ -3,8 +3,10 @@
 mod channels;
 mod colour;
 mod constants;
+mod interface;
 mod table;
 
 pub use channels::MATCHED_DEG;
 pub use colour::{FINEST, RANGE_NM, rgb_weights, white_chromaticity};
 pub use constants::{Constants, agrees, colour, find};
+pub use interface::{AtWavelength, OverWavelength, OverWavelengths};

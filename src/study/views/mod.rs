@@ -10,6 +10,7 @@ use bxdf::error::{Error, Result};
 
 pub mod cartesian;
 pub mod decomposition;
+pub mod fresnel;
 pub mod hemisphere;
 pub mod inspector;
 pub mod integral;
@@ -34,7 +35,7 @@ pub use section::{OWN_SECTION, OwnSection};
 macro_rules! view_kinds {
     ($then:ident) => {
         $then! {
-            polar lobe3d cartesian hemisphere integral reflectance slice sphere sampling decomposition tradeoff stability inspector
+            polar lobe3d cartesian hemisphere integral reflectance fresnel slice sphere sampling decomposition tradeoff stability inspector
         }
     };
 }

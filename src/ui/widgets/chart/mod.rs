@@ -15,6 +15,7 @@ use bxdf_study::format;
 pub use series::{Band, Dots, Mark, Series, Stem, style};
 
 mod axis;
+mod labels;
 mod series;
 mod stems;
 
@@ -45,6 +46,8 @@ pub struct Chart {
     pub levels: Vec<Mark>,
     /// Whether the names of the curves stand above it.
     pub has_names: bool,
+    /// Whether the names of the curves stand beside them, where there is room.
+    pub has_labels: bool,
 }
 
 /// A chart on the screen.
@@ -70,12 +73,13 @@ impl Chart {
             marks: Vec::new(),
             levels: Vec::new(),
             has_names: false,
+            has_labels: false,
         }
     }
 
     /// Leaves out the names of axes, marks and curves, where there is no room for them: the pointer reads them out.
     pub fn leave_out_words(&mut self) {
-        self.has_names = false;
+        (self.has_names, self.has_labels) = (false, false);
         for name in [&mut self.x.name, &mut self.y.name] {
             name.clear();
         }
@@ -149,6 +153,9 @@ impl Chart {
         };
         let mut taken = self.name_marks(ui, &shown, palette);
         self.draw_stems(ui, &shown, &mut taken, palette);
+        if self.has_labels {
+            self.label_series(ui, &shown, &mut taken, palette);
+        }
         shown
     }
 
@@ -233,43 +240,37 @@ impl Chart {
         let frame = shown.frame();
         let painter = ui.painter_at(frame);
         let mut taken: Vec<Rect> = Vec::new();
-        let mut name = |mark: &Mark, place: Pos2, anchor: Align2| {
-            if mark.name.is_empty() {
-                return;
-            }
-            let font = draw::small_font(ui);
+        let font = draw::small_font(ui);
+        let size = |mark: &Mark| {
             let galley = painter.layout_no_wrap(mark.name.clone(), font.clone(), mark.color);
-            let rect = anchor.anchor_size(place, galley.size());
-            let rect = draw::free_place(&mut taken, rect);
-            let text = &mark.name;
-            draw::haloed_text(
-                &painter,
-                rect.min,
-                Align2::LEFT_TOP,
-                text,
-                font,
-                mark.color,
-                palette,
-            );
+            galley.size()
         };
-        for mark in &self.marks {
-            let x = shown.position([self.x.place(mark.at), 0.0]).x;
-            if frame.x_range().contains(x) {
-                name(
-                    mark,
-                    Pos2::new(x + 3.0, frame.top() + 2.0),
-                    Align2::LEFT_TOP,
-                );
-            }
+        let write = |mark: &Mark, rect: Rect| {
+            let (font, color) = (font.clone(), mark.color);
+            let (at, anchor) = (rect.min, Align2::LEFT_TOP);
+            draw::haloed_text(&painter, at, anchor, &mark.name, font, color, palette);
+        };
+        let at = |mark: &Mark| shown.position([self.x.place(mark.at), 0.0]).x;
+        let lines: Vec<f32> = self.marks.iter().map(at).collect();
+        let mut marks: Vec<&Mark> = self.marks.iter().collect();
+        marks.retain(|mark| !mark.name.is_empty() && frame.x_range().contains(at(mark)));
+        // Those first that find a place where they cover no line; the others where they cover no name.
+        for lines in [&lines[..], &[]] {
+            marks.retain(|mark| {
+                let place = beside_line((&taken, frame), lines, at(mark), size(mark));
+                if let Some(rect) = place {
+                    taken.push(rect);
+                    write(mark, rect);
+                }
+                place.is_none()
+            });
         }
-        for level in &self.levels {
+        for level in self.levels.iter().filter(|level| !level.name.is_empty()) {
             let y = shown.position([0.0, self.y.place(level.at)]).y;
             if frame.y_range().contains(y) {
-                name(
-                    level,
-                    Pos2::new(frame.right() - 4.0, y - 2.0),
-                    Align2::RIGHT_BOTTOM,
-                );
+                let place = Pos2::new(frame.right() - 4.0, y - 2.0);
+                let rect = Align2::RIGHT_BOTTOM.anchor_size(place, size(level));
+                write(level, draw::free_place(&mut taken, rect));
             }
         }
         taken
@@ -353,4 +354,27 @@ impl Shown {
     pub fn frame(&self) -> Rect {
         *self.transform.frame()
     }
+}
+
+/// The place of a name of this size beside the upright line at `x`: to its right or left in the highest row of the frame
+/// where none of `taken` stands, and none of the upright `lines`.
+fn beside_line(
+    (taken, frame): (&[Rect], Rect),
+    lines: &[f32],
+    x: f32,
+    size: egui::Vec2,
+) -> Option<Rect> {
+    const ROWS: u8 = 6;
+    let of_row = |row: u8| {
+        // Rows that touch would take each other's places.
+        let y = frame.top() + 2.0 + f32::from(row) * (size.y + 1.0);
+        let right = Rect::from_min_size(Pos2::new(x + 3.0, y), size);
+        [right, right.translate(vec2(-size.x - 6.0, 0.0))]
+    };
+    let is_free = |place: &Rect| {
+        frame.contains_rect(*place)
+            && taken.iter().all(|other| !other.intersects(*place))
+            && !lines.iter().any(|line| place.x_range().contains(*line))
+    };
+    (0..ROWS).flat_map(of_row).find(is_free)
 }

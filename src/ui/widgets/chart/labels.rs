@@ -1,0 +1,107 @@
+//! The names of curves, each beside its curve.
+
+use egui::{Pos2, Rect, Ui, vec2};
+
+use super::series::Series;
+use super::{Chart, Shown, draw};
+use crate::theme::Palette;
+
+/// Between the places that are tried and between those where curves are looked at, in points.
+const STEPS: [f32; 2] = [6.0, 2.0];
+
+/// Between a curve and its name, in points.
+const GAP: f32 = 4.0;
+
+/// A name that stands farther from all other curves than this, in points, is as clear as it can be.
+const CLEAR: f32 = 26.0;
+
+impl Chart {
+    /// Writes the name of each curve where it covers no curve, no line and no other name, as far as can be from the other
+    /// curves. Where there is no such place it is left out: the pointer reads it out.
+    pub(super) fn label_series(
+        &self,
+        ui: &Ui,
+        shown: &Shown,
+        taken: &mut Vec<Rect>,
+        palette: &Palette,
+    ) {
+        let frame = shown.frame().shrink(2.0);
+        let font = draw::body_font(ui);
+        let paths: Vec<Vec<Pos2>> = self
+            .series
+            .iter()
+            .map(|series| self.path(shown, series))
+            .collect();
+        let lines = self
+            .marks
+            .iter()
+            .map(|mark| self.position_of(shown, [mark.at, self.y.range[0]]).x);
+        let lines: Vec<f32> = lines.collect();
+        for (index, series) in self.series.iter().enumerate() {
+            let Some(own) = paths.get(index) else {
+                continue;
+            };
+            let galley =
+                ui.painter()
+                    .layout_no_wrap(series.name.clone(), font.clone(), series.color);
+            let size = galley.size();
+            let is_free = |rect: &Rect| {
+                let is_apart = |other: &Rect| !other.intersects(rect.expand(2.0));
+                let is_crossed = |x: &f32| (rect.left() - 2.0..=rect.right() + 2.0).contains(x);
+                let covers = |path: &Vec<Pos2>| path.iter().any(|at| rect.contains(*at));
+                frame.contains_rect(*rect)
+                    && taken.iter().all(is_apart)
+                    && !lines.iter().any(is_crossed)
+                    && !paths.iter().any(covers)
+            };
+            // How far the nearest other curve is.
+            let room = |rect: &Rect| {
+                let others = paths
+                    .iter()
+                    .enumerate()
+                    .filter(|(other, _)| *other != index);
+                let distances = others.flat_map(|(_, path)| path.iter());
+                let nearest = distances.map(|at| rect.distance_to_pos(*at));
+                nearest.fold(CLEAR, f32::min)
+            };
+            let mut places = own.iter().step_by((STEPS[0] / STEPS[1]) as usize);
+            let beside = |at: &Pos2| {
+                let (x, y) = (0.5 * size.x, 0.5 * size.y + GAP);
+                // Above and below, and aside where the curve is steep.
+                let offsets = [
+                    vec2(0.0, -y),
+                    vec2(0.0, y),
+                    vec2(-x - GAP, 0.0),
+                    vec2(x + GAP, 0.0),
+                ];
+                offsets.map(|offset| Rect::from_center_size(*at + offset, size))
+            };
+            let all = places.by_ref().flat_map(beside).filter(is_free);
+            let best = all.max_by(|a, b| room(a).total_cmp(&room(b)));
+            if let Some(rect) = best {
+                taken.push(rect);
+                let painter = ui.painter_at(shown.frame());
+                painter.rect_filled(rect, 2.0, palette.background.gamma_multiply(0.8));
+                painter.galley(rect.min, galley, series.color);
+            }
+        }
+    }
+
+    /// Where a curve lies on the screen, from left to right.
+    fn path(&self, shown: &Shown, series: &Series) -> Vec<Pos2> {
+        let frame = shown.frame();
+        let steps = (frame.width() / STEPS[1]) as usize;
+        let at = |step: usize| {
+            let across = frame.left() + STEPS[1] * step as f32;
+            let [x, _] = self.value_at(shown, Pos2::new(across, frame.center().y));
+            let y = series.value_at(x)?;
+            Some(self.position_of(shown, [x, y]))
+        };
+        let evenly = (0..=steps).filter_map(at);
+        let corners = series.lines.iter().flatten();
+        let corners = corners.map(|point| self.position_of(shown, *point));
+        let mut path: Vec<Pos2> = evenly.chain(corners).collect();
+        path.sort_by(|a, b| a.x.total_cmp(&b.x));
+        path
+    }
+}
