@@ -150,7 +150,7 @@ fn the_exported_parts_sum_to_the_number_shown() {
         }
     }
     let whole = shown(&["fresnel_specular"], |options| {
-        options.integrand = Integrand::Cosine
+        options.integrand = Integrand::Cosine;
     });
     let shadows = column(&whole, "shadow");
     assert!((shadows - std::f64::consts::TAU).abs() < 1e-12, "two discs");
@@ -163,7 +163,7 @@ fn what_there_is_nothing_of_is_said() {
     let black = alone(session(&["lambertian_reflection:reflectance=0"]));
     assert!(says(&black, "nothing falls") && says(&black, "Error 0"));
     let needle = alone(shown(&["rough_conductor:alpha=0.001"], |options| {
-        options.count_log2 = 4
+        options.count_log2 = 4;
     }));
     assert!(says(&needle, "The patches miss the glossy specular lobe"));
     assert!(says(&needle, "million would find it"));

@@ -56,7 +56,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         return;
     }
     let request = cx.options.request(cx.session);
-    let meaning = words::meaning(&request, cx.session);
+    let meaning = words::meaning(request, cx.session);
     ui.label(egui::RichText::new(meaning).small().weak());
     let known = known(cx, request);
     let moment = play::moment(ui, cx);
@@ -281,7 +281,7 @@ impl Shown<'_> {
         let error = exact.value.map_or_else(String::new, |value| {
             words::error(integrand, so_far, Channel::Luminance.of(value), self.moment)
         });
-        let symbol = words::symbol(&self.request, cx.session);
+        let symbol = words::symbol(self.request, cx.session);
         Standing {
             sum,
             exact,
@@ -332,7 +332,7 @@ impl Shown<'_> {
 
     /// The bar and the numbers beside the picture.
     fn panel(&self, ui: &mut Ui, cx: &ViewContext<'_, Options>, room: Rect, linked: Option<usize>) {
-        let symbol = words::symbol(&self.request, cx.session);
+        let symbol = words::symbol(self.request, cx.session);
         self.standing(cx)
             .show(ui, room, symbol, &self.notes(cx, linked));
     }

@@ -17,7 +17,7 @@ pub(super) fn number(x: f64) -> String {
 }
 
 /// What the exact value is called, `2π` or `ρ_dh`.
-pub(super) fn symbol(request: &Request, session: &Session) -> &'static str {
+pub(super) fn symbol(request: Request, session: &Session) -> &'static str {
     match (request.integrand, request.is_sphere) {
         (Integrand::One, true) => "4π",
         (Integrand::One, false) | (Integrand::Cosine, true) => "2π",
@@ -29,7 +29,7 @@ pub(super) fn symbol(request: &Request, session: &Session) -> &'static str {
 }
 
 /// Which sum it is, in a sentence.
-pub(super) fn meaning(request: &Request, session: &Session) -> String {
+pub(super) fn meaning(request: Request, session: &Session) -> String {
     let symbol = symbol(request, session);
     let held = format::degrees(session.theta_deg);
     let whole = if request.is_sphere {
