@@ -138,6 +138,10 @@ impl Chart {
         } else {
             plot
         };
+        if PlotMemory::load(ui.ctx(), id).is_none() {
+            // How wide its numbers are is known from the second frame on.
+            ui.ctx().request_repaint();
+        }
         let shown = plot.show(ui, |plot_ui| {
             draw::zoom_by_scrolling(plot_ui);
             self.draw(plot_ui);
