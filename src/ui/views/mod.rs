@@ -78,7 +78,7 @@ fn warn_of_held(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &Options) {
             "The {name} is below the surface, and nothing shown lets light through: all values above it are 0"
         );
         ui.colored_label(ui.visuals().error_fg_color, text);
-        let hint = "As far above the surface as it is below now";
+        let hint = "Mirror it above the surface";
         let button = ui.button(format!("Bring the {name} above"));
         if button.on_hover_text(hint).clicked() {
             session.raise_held();
