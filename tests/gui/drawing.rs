@@ -85,15 +85,21 @@ fn pieces_of_mesh(mesh: &Mesh, is_picture: bool) -> Vec<(String, Rect)> {
     all.filter(|(look, _)| !look.is_empty()).collect()
 }
 
-/// The stretches of each row of a text, with the place where each begins on its baseline.
+/// The stretches of one size in each row of a text, with the place where each begins on its baseline.
 fn pieces_of_text(text: &TextShape) -> Vec<(String, Rect)> {
     let rotation = egui::emath::Rot2::from_angle(text.angle);
-    let rows = text.galley.rows.iter().filter_map(|placed| {
-        let words = placed.row.text();
-        let first = placed.row.glyphs.first()?.pos;
-        let at = text.pos + rotation * (placed.pos.to_vec2() + first.to_vec2());
-        let is_blank = words.trim().is_empty();
-        (!is_blank).then(|| (words, Rect::from_pos(at)))
+    let rows = text.galley.rows.iter().flat_map(|placed| {
+        let stretches = placed
+            .row
+            .glyphs
+            .chunk_by(|a, b| a.font_height == b.font_height);
+        stretches.filter_map(|glyphs| {
+            let words: String = glyphs.iter().map(|glyph| glyph.chr).collect();
+            let first = glyphs.first()?.pos;
+            let at = text.pos + rotation * (placed.pos.to_vec2() + first.to_vec2());
+            let is_blank = words.trim().is_empty();
+            (!is_blank).then(|| (words, Rect::from_pos(at)))
+        })
     });
     rows.collect()
 }

@@ -9,6 +9,7 @@ use crate::export::table::{Table, Value, shown};
 use crate::number::{NumberSpec, Numbers};
 use crate::session::{MaterialEntry, Session};
 use bxdf::Material;
+use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::fresnel::{Index, Reflectances, Request, lobe};
 use bxdf_lab::spectral::{Constants, OverWavelength};
 
@@ -228,7 +229,7 @@ impl Options {
                 "above"
             };
             for curve in &fresnel.curves {
-                let channel = curve.channel.and_then(|channel| channel.symbol());
+                let channel = curve.channel.and_then(Channel::symbol);
                 let words = [title, channel.unwrap_or_default(), from];
                 for point in &curve.points {
                     let words = words.map(|word| Value::Text(word.to_owned()));

@@ -39,12 +39,14 @@ pub const fn side(side: Side) -> &'static str {
 pub fn stem(painter: &Painter, [from, to]: [Pos2; 2], color: Color32, dash: Dash) {
     const HEAD: f32 = 13.0;
     const WIDTH: f32 = 3.5;
-    let base = head(painter, [from, to], HEAD, color);
+    let length = HEAD.min((to - from).length());
+    let base = to - (to - from).normalized() * length;
     draw::line(painter, [from, base], (WIDTH, color), dash);
+    head(painter, [base, to], length, color);
 }
 
-/// The filled head of an arrow, of this length in points and no longer than the arrow. Returns the middle of its base.
-pub fn head(painter: &Painter, [from, to]: [Pos2; 2], length: f32, color: Color32) -> Pos2 {
+/// The filled head of an arrow, of this length in points and no longer than the arrow.
+pub fn head(painter: &Painter, [from, to]: [Pos2; 2], length: f32, color: Color32) {
     let along = (to - from).normalized();
     let length = length.min((to - from).length());
     let (base, across) = (to - along * length, along.rot90() * 0.42 * length);
@@ -53,7 +55,6 @@ pub fn head(painter: &Painter, [from, to]: [Pos2; 2], length: f32, color: Color3
         color,
         Stroke::NONE,
     ));
-    base
 }
 
 /// A ring about a delta's direction; a thin one where it goes to the side that is not shown.

@@ -113,7 +113,7 @@ fn show_material(
     }
     ui.scope_builder(UiBuilder::new().max_rect(plot), |ui| {
         ui.push_id(id, |ui| {
-            show_chart(ui, cx, &chart, (&fresnel, is_over_wavelength))
+            show_chart(ui, cx, &chart, (&fresnel, is_over_wavelength));
         });
     });
 }
