@@ -7,6 +7,14 @@ use bxdf::resource::{Content, Origin};
 use bxdf::{ParamSpec, Resource};
 use bxdf_study::files;
 
+/// What is done to the data of a parameter.
+pub(super) enum Change {
+    /// Its file is read again.
+    ReadAgain(Resource),
+    /// There is none any more.
+    TakeAway,
+}
+
 /// What the row says and offers.
 struct Words {
     /// What stands there: the name of the file, what was baked.
@@ -59,14 +67,14 @@ impl Words {
     }
 }
 
-/// The row: what it is called, where it comes from, and the buttons to read it again and to take it away. Returns what it
-/// is changed to: other data, or none. `name`: what assistive tools call it.
+/// The row: what it is called, where it comes from, and the buttons to read it again and to take it away. Returns what
+/// is done to it. `name`: what assistive tools call it.
 pub(super) fn show(
     ui: &mut Ui,
     spec: &ParamSpec,
     name: &str,
     resource: Option<&Resource>,
-) -> Option<Option<Resource>> {
+) -> Option<Change> {
     let words = Words::of(spec, resource);
     let mut changed = None;
     ui.horizontal(|ui| {
@@ -81,10 +89,10 @@ pub(super) fn show(
             };
             if let Some(resource) = resource {
                 if button(ui, "↺", "Reset", "Take the data away") {
-                    changed = Some(None);
+                    changed = Some(Change::TakeAway);
                 }
                 if words.can_read_again && button(ui, "⟳", "Read again", "Read the file again") {
-                    changed = Some(Some(resource.again()));
+                    changed = Some(Change::ReadAgain(resource.again()));
                 }
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use egui::{ComboBox, Response, Ui, accesskit};
 
 use crate::theme;
-use crate::widgets::data;
+use crate::widgets::data::{self, Change};
 use crate::widgets::number::{Number, Shown};
 use bxdf::Component;
 use bxdf::error::Error;
@@ -101,8 +101,8 @@ pub fn show(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>, ties
             if let Some(changed) = data::show(ui, spec, &name, resource) {
                 // Data is of no combination that a model refuses.
                 let _ = match changed {
-                    Some(resource) => component.set_resource(spec.name, resource),
-                    None => component.set(spec.name, spec.default),
+                    Change::ReadAgain(resource) => component.set_resource(spec.name, resource),
+                    Change::TakeAway => component.set(spec.name, spec.default),
                 };
             }
             continue;

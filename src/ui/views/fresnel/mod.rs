@@ -7,7 +7,7 @@ use crate::widgets::chart::Chart;
 use crate::widgets::number::Number;
 use crate::widgets::pictures::{self, Cell};
 use crate::widgets::{choice, draw};
-use bxdf_lab::analysis::fresnel::{Fresnel, Index, lobes};
+use bxdf_lab::analysis::fresnel::{Fresnel, lobes};
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, MaterialEntry};
 use bxdf_study::views::fresnel::{OWN_K, OWN_N, Options, Over, SeenFrom, is_own, subjects};
@@ -15,6 +15,7 @@ use bxdf_study::views::fresnel::{OWN_K, OWN_N, Options, Over, SeenFrom, is_own, 
 mod curves;
 mod rays;
 mod snell;
+mod words;
 
 /// Width over height that the charts of several materials may have.
 const ASPECTS: [f32; 5] = [0.9, 1.2, 1.6, 2.1, 2.8];
@@ -251,14 +252,4 @@ fn own_interface(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
                 .explain(ui);
         }
     });
-}
-
-/// An index as it is written.
-fn index_text(index: Index) -> String {
-    if index.is_absorbing() {
-        let [n, k] = [index.n, index.k].map(format::value);
-        format!("{n} + {k} i")
-    } else {
-        format::value(index.n)
-    }
 }

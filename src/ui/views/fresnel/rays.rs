@@ -6,8 +6,7 @@ use egui::text::LayoutJob;
 use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Ui, pos2, vec2};
 
 use super::curves::Look;
-use super::index_text;
-use super::snell::with_subscripts;
+use super::words::{index_text, with_subscripts};
 use crate::theme::{self, Dash};
 use crate::widgets::{deltas, draw};
 use bxdf::math::frame;

@@ -1,10 +1,10 @@
 //! Snell's law beside the chart: its triangles, the angles, and what is reflected at the angle held.
 
-use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Color32, Grid, Sense, TextStyle, Ui, vec2};
+use egui::{Grid, Sense, Ui, vec2};
 
 use super::curves::Look;
 use super::rays::Drawing;
+use super::words::with_subscripts;
 use bxdf::math::frame;
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::fresnel::{Curve, Fresnel};
@@ -12,9 +12,6 @@ use bxdf_study::format;
 
 /// The part of the height that the picture has at most.
 const LARGEST_SHARE: f32 = 0.62;
-
-/// The size of a subscript as a part of that of its line.
-const SUBSCRIPT: f32 = 0.7;
 
 /// Between the columns and between the rows of values, in points.
 const SPACING: egui::Vec2 = vec2(14.0, 1.0);
@@ -31,30 +28,6 @@ pub(super) fn show(ui: &mut Ui, fresnel: &Fresnel, look: &Look<'_>) {
     equations(ui, fresnel, look);
     ui.add_space(SPACING.x);
     values(ui, fresnel, look);
-}
-
-/// A text in which `_` stands before a letter that is a subscript.
-pub(super) fn with_subscripts(ui: &Ui, text: &str, color: Color32) -> LayoutJob {
-    let font_id = TextStyle::Small.resolve(ui.style());
-    let mut small = font_id.clone();
-    small.size *= SUBSCRIPT;
-    let format = |font_id, valign| TextFormat {
-        font_id,
-        color,
-        valign,
-        ..TextFormat::default()
-    };
-    let (full, small) = (format(font_id, Align::Center), format(small, Align::BOTTOM));
-    let mut job = LayoutJob::default();
-    let mut parts = text.split('_');
-    job.append(parts.next().unwrap_or_default(), 0.0, full.clone());
-    for part in parts {
-        let end = part.chars().next().map_or(0, char::len_utf8);
-        let (subscript, rest) = part.split_at(end);
-        job.append(subscript, 0.0, small.clone());
-        job.append(rest, 0.0, full.clone());
-    }
-    job
 }
 
 /// The angles of both sides, and n sin θ, which is the same.
