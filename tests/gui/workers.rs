@@ -16,7 +16,7 @@ use egui_kittest::kittest::Queryable;
 use super::{material, session};
 
 /// More than any answer takes, on any machine.
-const PATIENCE: Duration = Duration::from_mins(1);
+const PATIENCE: Duration = Duration::from_mins(5);
 
 /// A view of a needle, a blade and a mixture.
 fn view(id: &str, clock: Option<Clock>) -> Harness<'static, App> {
