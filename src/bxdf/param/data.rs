@@ -10,7 +10,7 @@ impl ParamSet {
     /// Sets the data of the parameter `name`.
     ///
     /// # Errors
-    /// [`Error::UnknownId`] where the model has no such parameter of kind data; the set is then unchanged.
+    /// [`Error::UnknownId`](crate::Error::UnknownId) where the model has no such parameter of kind data; the set is then unchanged.
     pub fn set_resource(&mut self, name: &str, resource: Resource) -> Result<()> {
         let index = self.index_of(name).ok_or_else(|| self.unknown(name))?;
         match self.values.get_mut(index) {

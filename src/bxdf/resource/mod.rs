@@ -1,8 +1,8 @@
 //! Data of parameters: where it comes from, what stands there, and what a decoder made of it.
 //!
 //! A parameter of kind data holds a [`Resource`]: the name of a file, the recipe of what was baked, or bytes that stand in
-//! the text itself. Reading a text looks into no file and bakes nothing: that is done by [`Resource::fetch`], with whatever
-//! reads files. So a material whose file is missing is still a material, which says what is missing.
+//! the text itself. Reading a text looks into no file and bakes nothing: that is done by
+//! [`Material::fetch`](crate::Material::fetch), with whatever reads files. So a material whose file is missing is still a material, which says what is missing.
 
 mod decoder;
 mod hash;

@@ -149,7 +149,7 @@ impl Resource {
         table.into()
     }
 
-    /// At least as many bytes as [`Self::to_toml`] has as text.
+    /// At least as many bytes as it has in the text of a material.
     #[must_use]
     pub fn text_bound(&self) -> u64 {
         let name = match &self.origin {
