@@ -9,6 +9,7 @@ use crate::export::table::{Table, Value, shown};
 use crate::number::{NumberSpec, Numbers};
 use crate::session::{MaterialEntry, Session};
 use bxdf::Material;
+use bxdf::material::MAX_COMPONENTS;
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::fresnel::{Index, Reflectances, Request, lobe};
 use bxdf_lab::spectral::{Constants, OverWavelength};
@@ -24,6 +25,10 @@ pub(super) const KIND: ViewKind = ViewKind {
     table: TableKind::Computed,
     is_mesh: false,
 };
+
+/// The place of the lobe among those of a material.
+static LOBE: NumberSpec =
+    NumberSpec::new("fresnel.lobe", [0.0, (MAX_COMPONENTS - 1) as f64]).whole();
 
 /// The index of refraction of the view's own interface: no medium has 0.
 pub static OWN_N: NumberSpec =
@@ -186,6 +191,10 @@ fn cells(all: &Reflectances) -> [f64; REFLECTANCES.len()] {
 impl ViewOptions for Options {
     fn is_of_held(&self) -> bool {
         false
+    }
+
+    fn check_whole(&self) -> Result<(), String> {
+        LOBE.checked(self.lobe as f64).map(|_| ())
     }
 
     fn numbers(&mut self) -> Numbers<'_> {
