@@ -47,7 +47,7 @@ impl Cursor {
         let pointed = shown.find(|entry| entry.id() == self.material);
         let selected = session.materials.selected();
         let first_shown = || session.materials.shown().next();
-        let is_here = selected.material.lack().is_none();
+        let is_here = selected.material.is_complete();
         let other = if is_here { None } else { first_shown() };
         pointed.or(other).unwrap_or(selected)
     }
@@ -56,7 +56,7 @@ impl Cursor {
     /// the material lacks its data.
     pub fn value(&self, session: &Session, data: &mut Data) -> [f64; 3] {
         let entry = self.entry(session);
-        if entry.material.lack().is_some() {
+        if !entry.material.is_complete() {
             return [f64::NAN; 3];
         }
         let surface = data.surface(session, entry);

@@ -242,7 +242,7 @@ impl Data {
         query: Q,
     ) -> Arc<Q::Answer> {
         // Of what is not here nothing can be said.
-        if entry.material.lack().is_some() {
+        if !entry.material.is_complete() {
             return Arc::default();
         }
         let surface = self.surface(session, entry);
@@ -279,7 +279,7 @@ impl Data {
         rotation_deg: Option<f64>,
         query: Q,
     ) -> Option<Arc<Q::Answer>> {
-        if material.lack().is_some() {
+        if !material.is_complete() {
             return None;
         }
         let answers = self.answers.entry(of).or_default();
@@ -302,7 +302,7 @@ impl Data {
     pub fn order<Q: Query>(&mut self, entry: &MaterialEntry, query: Q) {
         const { assert!(matches!(Q::BASIS, Basis::Material)) };
         self.orders.remove(&TypeId::of::<Q>());
-        if entry.material.lack().is_some() {
+        if !entry.material.is_complete() {
             return;
         }
         let answers = self.answers.entry(Of::Entry(entry.id())).or_default();

@@ -108,7 +108,7 @@ impl<'a> HeldLobe<'a> {
     /// f in 1/sr of the inner lobe at `index` alone, with each unit vector of `free` as the other direction.
     #[must_use]
     pub fn lobe_values(&self, index: usize, free: &[DVec3]) -> Vec<[f64; 3]> {
-        self.each(Some(index), &components(free.iter().copied()))
+        self.each(Some(index), &Columns::directions(free.iter().copied()))
     }
 
     /// f with each direction of `free`: of one lobe alone, or of all.
@@ -273,26 +273,14 @@ pub fn off_horizon(w: DVec3, is_upper: bool) -> DVec3 {
 /// f of `bxdf` in 1/sr at all `pairs` of unit vectors (wo, wi).
 #[must_use]
 pub fn pair_values(bxdf: &dyn Scatterer<f64>, pairs: &[(DVec3, DVec3)]) -> Vec<[f64; 3]> {
-    let wo = components(pairs.iter().map(|pair| pair.0));
-    let wi = components(pairs.iter().map(|pair| pair.1));
-    let mut values = Columns::filled(0.0, pairs.len());
-    let job = Job::F {
-        wo: wo.slices(),
-        wi: wi.slices(),
-        f: values.slices_mut(),
-    };
-    bxdf.batch(Path::Dispatched, job);
-    values.rows().collect()
+    let wo = Columns::directions(pairs.iter().map(|pair| pair.0));
+    let wi = Columns::directions(pairs.iter().map(|pair| pair.1));
+    bxdf.values(&wo, &wi).rows().collect()
 }
 
 /// The components of directions, those in the horizon plane lifted off it to the side `is_upper`.
 fn lifted(free: &[DVec3], is_upper: bool) -> Columns<f64, 3> {
-    components(free.iter().map(|w| off_horizon(*w, is_upper)))
-}
-
-/// The components of vectors.
-fn components(vectors: impl ExactSizeIterator<Item = DVec3>) -> Columns<f64, 3> {
-    Columns::from_rows(vectors.map(|w| w.to_array()))
+    Columns::directions(free.iter().map(|w| off_horizon(*w, is_upper)))
 }
 
 /// What [`HeldLobe::seeds`] returns.

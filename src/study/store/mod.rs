@@ -169,7 +169,7 @@ impl Store {
     /// What reads a file of data, in whichever thread.
     pub fn data_reader(&self) -> impl Fn(&Path) -> Result<Vec<u8>> + Send + 'static {
         let places = self.places.clone();
-        move |path| places.bytes(path, crate::files::MAX_DATA)
+        move |path| places.data(path)
     }
 
     /// What stands at a path.

@@ -45,12 +45,24 @@ impl Places {
         let digest = digest(&bytes);
         let mut opened = readers::read(bytes, path)?;
         opened.rooted_at(&folder_of(path));
-        opened.read_files(&|path| self.bytes(path, MAX_DATA));
+        opened.read_files(&|path| self.data(path));
         self.note(path, digest);
         Ok(opened)
     }
 
-    pub(super) fn bytes(&self, path: &Path, limit: u64) -> Result<Vec<u8>> {
+    /// The bytes of a file of data, which a text names: a pipe among them would keep whoever reads it waiting.
+    ///
+    /// # Errors
+    /// Where there is no file, and where it cannot be read or is larger than [`MAX_DATA`].
+    pub(super) fn data(&self, path: &Path) -> Result<Vec<u8>> {
+        match self.files.look(path) {
+            Ok(Found::File) => self.bytes(path, MAX_DATA),
+            Ok(other) => Err(Error::io(path, no_file(other))),
+            Err(error) => Err(Error::io(path, error)),
+        }
+    }
+
+    fn bytes(&self, path: &Path, limit: u64) -> Result<Vec<u8>> {
         let read = self.files.read(path, limit);
         read.map_err(|error| Error::io(path, error))
     }
@@ -97,11 +109,8 @@ impl Places {
     ) -> Result<()> {
         let failed = |error| Error::io(path, error);
         match self.files.look(path) {
-            Ok(Found::Folder) => return Err(failed(io::ErrorKind::IsADirectory.into())),
-            Ok(Found::Other) => {
-                return Err(failed(io::Error::other("a device or a pipe, no file")));
-            }
             Ok(Found::File) | Err(_) => {}
+            Ok(other) => return Err(failed(no_file(other))),
         }
         let partial = Partial::of(&*self.files, path).map_err(failed)?;
         let written = self.files.write(partial.path(), bytes);
@@ -165,6 +174,14 @@ impl Places {
     fn is_noted(&self, path: &Path, bytes: &[u8]) -> bool {
         let good = self.good.lock().unwrap_or_else(PoisonError::into_inner);
         good.get(path) == Some(&digest(bytes))
+    }
+}
+
+/// Why what was found is no file.
+fn no_file(found: Found) -> io::Error {
+    match found {
+        Found::Folder => io::ErrorKind::IsADirectory.into(),
+        Found::File | Found::Other => io::Error::other("a device or a pipe, no file"),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::analysis::statistics::Random;
 use bxdf::Scatterer;
-use bxdf::batch::{Columns, Job, Path};
+use bxdf::batch::Columns;
 use bxdf::math::{Real, Vec3};
 
 /// Draws that are made together: enough for a batch, few enough to be given up in time.
@@ -20,7 +20,7 @@ const NUMBERS: u128 = 3;
 /// there are, and in whatever parts they are made.
 #[derive(Clone, Debug)]
 pub struct Draws<R: Real> {
-    /// u0, u1, uc.
+    /// uc, u0, u1.
     numbers: Columns<R, 3>,
     /// The components of wi, the channels of f, pdf, and whether it is a delta.
     drawn: Columns<R, 8>,
@@ -56,21 +56,13 @@ impl<R: Real> Draws<R> {
     #[must_use]
     pub fn new(bxdf: &dyn Scatterer<R>, wo: Vec3<R>, seed: u64, first: u64, count: usize) -> Self {
         let mut random = Random::new(seed).after(NUMBERS * u128::from(first));
-        let numbers = (0..count).map(|_| [(); 3].map(|()| random.number::<R>()));
+        let numbers = (0..count).map(|_| {
+            let [u, v, uc] = [(); 3].map(|()| random.number::<R>());
+            [uc, u, v]
+        });
         let numbers = Columns::from_rows(numbers);
-        let mut drawn = Columns::filled(R::zero(), count);
         let wo = Columns::repeated([wo.x, wo.y, wo.z], count);
-        let ([u, v, uc], [x, y, z, r, g, b, pdf, delta]) = (numbers.slices(), drawn.slices_mut());
-        let job = Job::Sample {
-            wo: wo.slices(),
-            uc,
-            u: [u, v],
-            wi: [x, y, z],
-            f: [r, g, b],
-            pdf,
-            delta,
-        };
-        bxdf.batch(Path::Dispatched, job);
+        let drawn = bxdf.samples(&wo, &numbers);
         Self { numbers, drawn }
     }
 
@@ -80,7 +72,7 @@ impl<R: Real> Draws<R> {
             .rows()
             .zip(self.drawn.rows())
             .map(|(numbers, drawn)| {
-                let [u, v, uc] = numbers;
+                let [uc, u, v] = numbers;
                 let [x, y, z, r, g, b, pdf, delta] = drawn;
                 Draw {
                     u: [u, v],

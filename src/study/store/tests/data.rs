@@ -158,6 +158,23 @@ fn a_file_changed_meanwhile_is_shown_as_it_is_and_said() {
     assert!(remarks.is_empty(), "{remarks:?}");
 }
 
+/// Nobody waits for a pipe, and a device has no end.
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_not_read() {
+    let folder = Folder::new("data_no_file");
+    let path = folder.file("mine.toml");
+    for (name, expected) in [("/dev/zero", "a device or a pipe"), (".", "is a directory")] {
+        fs::write(&path, format!("material = \"table:data={name}\"\n")).unwrap();
+        let (found, remarks) = opened(&folder, &path);
+        let [remark] = &remarks[..] else {
+            panic!("{remarks:?}");
+        };
+        assert!(remark.contains(expected), "{remark}");
+        assert!(found.materials.shown().next().is_none());
+    }
+}
+
 #[test]
 fn what_is_baked_otherwise_is_said() {
     let folder = Folder::new("data_baked");
