@@ -21,7 +21,7 @@ const TOLERANCE: f64 = 1e-9;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    /// The material: id of a model or named material, id:name=value,name=value, a material file or a file of data
     #[arg(value_parser = args::material())]
     material: Given,
     /// The polar angles of incidence in degrees, 0 to 180

@@ -16,7 +16,7 @@ use bxdf_study::files;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The materials: id, id:name=value,name=value, or a material file; every model if none is named
+    /// The materials: id, id:name=value,name=value, a material file or a file of data; every model if none is named
     #[arg(value_parser = args::material())]
     materials: Vec<Given>,
     /// A file of nine arrays of little-endian f32, one after the other: wo_x, wo_y, wo_z, wi_x, wi_y, wi_z, uc, u0, u1

@@ -14,7 +14,7 @@ use bxdf_lab::stability::{Extent, Extreme, examine_all, examine_material, table}
 #[derive(clap::Args)]
 #[expect(clippy::struct_excessive_bools, reason = "flags of the command line")]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    /// The material: id of a model or named material, id:name=value,name=value, a material file or a file of data
     #[arg(value_parser = args::material(), required_unless_present = "all", conflicts_with = "all")]
     material: Option<Given>,
     /// Check every model over a sweep of its parameters

@@ -21,7 +21,7 @@ const ROWS: usize = 1024;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    /// The material: id of a model or named material, id:name=value,name=value, a material file or a file of data
     #[arg(value_parser = args::material())]
     material: Given,
     /// The precision of the arithmetic: f32, f64 or reference

@@ -28,7 +28,7 @@ pub struct Arguments {
     /// The session to start from
     #[arg(long, value_name = "FILE")]
     session: Option<PathBuf>,
-    /// A material to show, may be given several times: id of a model or named material, id:name=value,name=value, or a material file
+    /// A material to show, may be given several times: id of a model or named material, id:name=value,name=value, a material file or a file of data
     #[arg(long = "material", value_name = "MATERIAL", value_parser = args::material())]
     materials: Vec<Given>,
     /// The direction held while the lobe is drawn over the other: wi or wo

@@ -22,7 +22,7 @@ const MAX_SAMPLES: u64 = 1_000_000_000;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    /// The material: id of a model or named material, id:name=value,name=value, a material file or a file of data
     #[arg(value_parser = args::material())]
     material: Given,
     /// The direction to the viewer in degrees, theta from the normal

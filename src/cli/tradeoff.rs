@@ -17,7 +17,7 @@ use bxdf_lab::tradeoff::{
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The material: id of a model or named material, id:name=value,name=value, or a material file
+    /// The material: id of a model or named material, id:name=value,name=value, a material file or a file of data
     #[arg(value_parser = args::material())]
     material: Given,
     /// Measure only this family; all by default

@@ -240,7 +240,7 @@ fn every_number_of_every_view_is_typed() {
         ("integral", "Patches", [16.0, 4096.0], power_of_2, |s| {
             f64::from(s.views.options::<integral::Options>().count_log2).exp2()
         }),
-        ("integral", "Seconds", [1.0, 60.0], Some, |s| {
+        ("integral", "Duration", [1.0, 60.0], Some, |s| {
             s.views.options::<integral::Options>().seconds
         }),
         ("slice", "φd", [0.0, 180.0], Some, |s| {

@@ -248,12 +248,18 @@ pub(super) fn name_directions(
             let name = session.held_name();
             let galley = painter.layout_no_wrap(name.to_owned(), draw::small_font(ui), color);
             let aside = 8.0 + 0.5 * galley.size().x;
-            let beside = ends[1] + vec2(aside * (ends[1] - ends[0]).x.signum(), 0.0);
-            let room = Rect::from_center_size(beside, galley.size() + vec2(6.0, 2.0));
-            if painter.clip_rect().contains_rect(room) {
-                write(beside, name, color);
-            } else {
-                write(ends[1] - vec2(0.0, galley.size().y), name, color);
+            let outwards = vec2(aside * (ends[1] - ends[0]).x.signum(), 0.0);
+            let upwards = vec2(0.0, -galley.size().y);
+            // Beside the handle or above it, else towards the middle: never over it.
+            let mut places = [outwards, upwards, -outwards]
+                .map(|by| ends[1] + by)
+                .into_iter();
+            let has_room = |place: &Pos2| {
+                let room = Rect::from_center_size(*place, galley.size() + vec2(6.0, 2.0));
+                painter.clip_rect().contains_rect(room)
+            };
+            if let Some(place) = places.find(has_room) {
+                write(place, name, color);
             }
         }
     }

@@ -127,8 +127,8 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         play::button(ui, cx);
         let options = &mut *cx.options;
         let hint = "How long playing takes, in seconds";
-        ui.label("Seconds").on_hover_text(hint);
-        let number = Number::new("Seconds", SECONDS).speed(0.1);
+        ui.label("Duration").on_hover_text(hint);
+        let number = Number::new("Duration", SECONDS).speed(0.1);
         let shown = number.field(ui, &mut options.seconds);
         shown.on_hover_text(hint).explain(ui);
         let hint = "Colours by decades below the highest value";
