@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::data::Data;
+use super::answers::Answers;
 use super::session::{EntryId, MaterialEntry, Session};
 use bxdf_lab::analysis::{HeldLobe, Hold};
 use bxdf_lab::contract::Witness;
@@ -54,12 +54,12 @@ impl Cursor {
 
     /// The value there: f in 1/sr (times the cosine, if shown so), per channel; its limit at the horizon. No number where
     /// the material lacks its data.
-    pub fn value(&self, session: &Session, data: &mut Data) -> [f64; 3] {
+    pub fn value(&self, session: &Session, answers: &mut Answers) -> [f64; 3] {
         let entry = self.entry(session);
         if !entry.material.is_complete() {
             return [f64::NAN; 3];
         }
-        let surface = data.surface(session, entry);
+        let surface = answers.surface(session, entry);
         let lobe = HeldLobe::new(&*surface.bxdf, session.hold, session.held());
         let cosine = if session.with_cosine {
             self.direction.z.abs()

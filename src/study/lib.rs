@@ -4,9 +4,9 @@
 #[doc = include_str!("DECISIONS.md")]
 pub mod decisions {}
 
+pub mod answers;
 pub mod colors;
 pub mod cursor;
-pub mod data;
 pub mod export;
 pub mod files;
 pub mod format;

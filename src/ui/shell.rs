@@ -26,12 +26,12 @@ impl App {
         if is_pressed && ui.rect_contains_pointer(ui.max_rect()) {
             self.clicked = Some(view);
         }
-        self.data.asked_by(Some(view));
+        self.answers.asked_by(Some(view));
         let mut cx = ViewContext {
             view,
             session: &mut self.session,
             options: &mut (),
-            data: &mut self.data,
+            answers: &mut self.answers,
             state: &mut self.state,
             cursor: &mut self.cursor,
             palette,
@@ -39,7 +39,7 @@ impl App {
         ui.push_id((options.kind().id, view), |ui| {
             views::show(ui, &mut cx, &mut options);
         });
-        self.data.asked_by(None);
+        self.answers.asked_by(None);
         if let Some(own) = self.session.views.get_mut(view)
             && *own != options
         {
@@ -53,10 +53,10 @@ impl App {
         let Session {
             materials, locked, ..
         } = &mut self.session;
-        let listed = self.list.show(ui, materials, &mut self.data, palette);
+        let listed = self.list.show(ui, materials, &mut self.answers, palette);
         let mut wished = self.notice.report(listed).flatten();
         ui.separator();
-        let picked = self.picker.show(ui, materials, &mut self.data);
+        let picked = self.picker.show(ui, materials, &mut self.answers);
         self.notice.report(picked);
         ui.separator();
         let area = ScrollArea::vertical()
@@ -75,7 +75,8 @@ impl App {
             ui.push_id(before.id(), |ui| {
                 let title = materials.title(&before);
                 let material = &mut edited.material;
-                let clicked = badges::show(ui, &title, &before, material, &mut self.data, palette);
+                let clicked =
+                    badges::show(ui, &title, &before, material, &mut self.answers, palette);
                 wished = clicked.or(wished.take());
                 self.components.show(ui, material, &mut ties);
             });
@@ -224,7 +225,7 @@ impl eframe::App for App {
             return;
         }
         self.session.keep_allowed(self.history.present());
-        self.data.begin_frame(&self.session);
+        self.answers.begin_frame(&self.session);
         self.state.begin_frame(&self.session);
         let before = self.cursor;
         if let Some(view) = self.only {
@@ -242,15 +243,15 @@ impl eframe::App for App {
         Panel::top("top").show(ui, |ui| self.show_top(ui));
         Panel::bottom("status").show(ui, |ui| {
             let selected = self.session.materials.selected();
-            let shares = self.data.ask(&self.session, selected, SHARES);
+            let shares = self.answers.ask(&self.session, selected, SHARES);
             // Panels are drawn before the views: the line shows the pointer of the frame before.
-            let value = before.map(|cursor| cursor.value(&self.session, &mut self.data));
+            let value = before.map(|cursor| cursor.value(&self.session, &mut self.answers));
             status::show(
                 ui,
                 &self.session,
                 before.as_ref().zip(value),
                 &shares,
-                self.data.progress(),
+                self.answers.progress(),
                 &palette,
             );
         });

@@ -4,7 +4,7 @@ use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::deltas::Arrows;
 use brdf_explorer::analysis::hemisphere::{Comparison, Quantity};
 use brdf_explorer::bxdf::material::file;
-use brdf_explorer::study::data::Data;
+use brdf_explorer::study::answers::Answers;
 use brdf_explorer::study::session::{Materials, Session};
 use brdf_explorer::study::views::{Deltas, VIEWS, ViewKind, cartesian, hemisphere, sampling};
 use egui::{Color32, Rect, Shape, Theme};
@@ -71,7 +71,7 @@ fn every_view_shows_a_delta_with_its_share() {
         assert!(has(&mixture(), view, half), "{view}: half a mirror");
         let glass = session(&[GLASS]);
         let entry = glass.materials.selected();
-        let arrows = Data::at_once().ask(&glass, entry, Arrows);
+        let arrows = Answers::at_once().ask(&glass, entry, Arrows);
         assert_eq!(arrows.len(), 2);
         for arrow in arrows.iter() {
             // The sphere has its own angles; what crosses the surface has no half vector in the slice.

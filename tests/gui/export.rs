@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::{Command, Output};
 
-use brdf_explorer::study::data::Data;
+use brdf_explorer::study::answers::Answers;
 use brdf_explorer::study::export::{FORMATS, Format};
 use brdf_explorer::study::session::Session;
 use brdf_explorer::study::views::{VIEWS, cartesian};
@@ -60,7 +60,8 @@ fn worst_misfit(xs: &[f64], ys: &[f64]) -> f64 {
 fn the_curve_of_a_drawing_is_that_of_the_data() {
     let shown = session(&["rough_conductor:alpha=0.05"]);
     let entry = shown.materials.selected();
-    let curve = Data::at_once().ask(&shown, entry, cartesian::Options::default().request(&shown));
+    let curve =
+        Answers::at_once().ask(&shown, entry, cartesian::Options::default().request(&shown));
     let [line] = &curve.lines[..] else {
         panic!("one line above the surface");
     };
@@ -105,9 +106,9 @@ fn tables_have_every_digit_and_their_units() {
              delta_r,delta_g,delta_b,delta_luminance"
         )
     );
-    let mut data = Data::at_once();
+    let mut answers = Answers::at_once();
     for entry in shown.materials.iter() {
-        let curve = data.ask(&shown, entry, cartesian::Options::default().request(&shown));
+        let curve = answers.ask(&shown, entry, cartesian::Options::default().request(&shown));
         for point in curve.lines.iter().flatten() {
             let mut cells = lines.next().unwrap().split(',');
             assert_eq!(cells.next(), Some(shown.materials.title(entry).as_str()));

@@ -1,7 +1,7 @@
 //! What a session shows as files. Numbers, meshes and materials are made here; pictures and drawings by the window.
 
+use crate::answers::Answers;
 use crate::colors::{Theme, material_color};
-use crate::data::Data;
 use crate::session::{MaterialEntry, Session, ViewId};
 use crate::views::{Options, ViewKind, lobe3d};
 use bxdf::error::{Error, Result};
@@ -61,7 +61,7 @@ fn numbers(session: &Session, options: Option<&Options>) -> Result<Vec<u8>> {
             "no table: its numbers are copied with its button",
         ));
     }
-    let table = options.table(session, &mut Data::at_once());
+    let table = options.table(session, &mut Answers::at_once());
     if table.rows.is_empty() {
         let why = no_values(session).unwrap_or("no light leaves where it looks");
         return Err(refused(view, &format!("nothing to show: {why}")));
@@ -71,15 +71,15 @@ fn numbers(session: &Session, options: Option<&Options>) -> Result<Vec<u8>> {
 
 /// The lobes of the materials shown, each with its colour.
 fn lobes(session: &Session, theme: Theme) -> Result<Vec<mesh::Named>> {
-    let mut data = Data::at_once();
+    let mut answers = Answers::at_once();
     let request = lobe3d::request(session);
     let named = session.materials.shown().map(|entry| mesh::Named {
         name: session.materials.title(entry),
         color: linear(material_color(theme, entry.slot())),
-        mesh: data.ask(session, entry, request),
+        mesh: answers.ask(session, entry, request),
         with_cosine: session.with_cosine,
         names: names::Names::of_lobe(session),
-        deltas: data.ask(session, entry, Arrows),
+        deltas: answers.ask(session, entry, Arrows),
     });
     let lobes: Vec<mesh::Named> = named.collect();
     if !lobes.iter().any(mesh::Named::has_mesh) {

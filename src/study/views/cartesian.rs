@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, shown};
 use crate::number::{NumberSpec, Numbers};
@@ -113,7 +113,7 @@ impl ViewOptions for Options {
     }
 
     /// The curve.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let angle = match self.abscissa {
             Abscissa::Free => "angle (degrees)",
             Abscissa::Half => "theta_h (degrees)",
@@ -123,7 +123,7 @@ impl ViewOptions for Options {
         let mut table = Table::named(names.columns(&["material", angle]));
         let reference = self.is_residual.then(|| session.materials.reference());
         for (entry, title) in shown(session) {
-            let curve = data.compare(session, entry, reference, self.request(session));
+            let curve = answers.compare(session, entry, reference, self.request(session));
             let peaks = self.is_normalised.then(|| peaks(&curve));
             for point in curve.lines.iter().flatten() {
                 let row = names::value(point.value);

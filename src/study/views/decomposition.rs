@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
 use super::words::words;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, Value, shown};
 use crate::number::Numbers;
@@ -80,7 +80,7 @@ impl ViewOptions for Options {
     }
 
     /// The lobes, and the factors where there are any.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let values = names::CHANNELS.map(|(_, channel)| format!("value_{channel}"));
         let first = ["material", "part", "side", "lobe", "angle (degrees)"];
         let columns = first.map(str::to_owned).into_iter().chain(values);
@@ -88,7 +88,7 @@ impl ViewOptions for Options {
         let mut table = Table::named(columns.chain(last).collect());
         let names = self.names(session);
         for (entry, title) in shown(session) {
-            let parts = data.ask(session, entry, self.request(session));
+            let parts = answers.ask(session, entry, self.request(session));
             let mut push = |[part, side, lobe]: [&str; 3],
                             angle: f64,
                             rgb: [f64; 3],

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::table::{Table, Value, shown};
 use crate::number::{NumberSpec, Numbers};
 use crate::session::{MaterialEntry, Session};
@@ -202,15 +202,15 @@ impl ViewOptions for Options {
     }
 
     /// All curves, those that are not shown too; over the wavelength where any material is shown so.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let subjects = subjects(session);
         let is_over =
             |(entry, _): &(&MaterialEntry, String)| self.is_over_wavelength(&entry.material);
         let (spectral, angular): (Vec<_>, Vec<_>) = subjects.into_iter().partition(is_over);
         if spectral.is_empty() {
-            self.over_angle(session, data, &angular)
+            self.over_angle(session, answers, &angular)
         } else {
-            self.over_wavelengths(session, data, &spectral)
+            self.over_wavelengths(session, answers, &spectral)
         }
     }
 }
@@ -219,7 +219,7 @@ impl Options {
     fn over_angle(
         &self,
         session: &Session,
-        data: &mut Data,
+        answers: &mut Answers,
         subjects: &[(&MaterialEntry, String)],
     ) -> Table {
         let first = [
@@ -231,7 +231,7 @@ impl Options {
         ];
         let mut table = Table::new(&[&first[..], &REFLECTANCES].concat());
         for (entry, title) in subjects {
-            let fresnel = data.ask(session, entry, self.request());
+            let fresnel = answers.ask(session, entry, self.request());
             let from = if fresnel.is_from_below {
                 "below"
             } else {
@@ -257,14 +257,14 @@ impl Options {
     fn over_wavelengths(
         &self,
         session: &Session,
-        data: &mut Data,
+        answers: &mut Answers,
         subjects: &[(&MaterialEntry, String)],
     ) -> Table {
         let first = ["material", "wavelength (nm)", "n", "k", "theta_i (degrees)"];
         let last = ["theta_i of the least p (degrees)", "least p"];
         let mut table = Table::new(&[&first[..], &REFLECTANCES, &last].concat());
         for (entry, title) in subjects {
-            let all = data.ask(session, entry, self.over_wavelength());
+            let all = answers.ask(session, entry, self.over_wavelength());
             for point in &all.points {
                 let at = [point.nm, point.index.n, point.index.k, all.theta_deg];
                 let least = point.least_p.unwrap_or([f64::NAN; 2]);

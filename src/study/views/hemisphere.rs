@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, MAP_SIZE, TableKind, ViewKind, ViewOptions};
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
 use crate::session::Session;
@@ -92,14 +92,14 @@ impl Options {
 
 impl ViewOptions for Options {
     /// The pixels of the disc, and the deltas on its side.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let columns = ["material", "w_x", "w_y", "w_z"];
         let mut table = Table::named(self.names().columns(&columns));
         let request = self.request();
         let is_compared = request.comparison != Comparison::None;
         let reference = is_compared.then(|| session.materials.reference());
         for (entry, title) in shown(session) {
-            let map = data.compare(session, entry, reference, request);
+            let map = answers.compare(session, entry, reference, request);
             let (width, height) = (map.raster.width, map.raster.height);
             for (index, rgb) in map.raster.pixels.iter().enumerate() {
                 let place = |index: usize, n: usize| 2.0 * (index as f64 + 0.5) / n as f64 - 1.0;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, Value, shown};
 use crate::number::{NumberSpec, Numbers};
@@ -94,7 +94,7 @@ impl ViewOptions for Options {
     }
 
     /// The patches and the deltas, each with what it adds to the sum that is shown.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let (integrand, request) = (self.integrand, self.request(session));
         let names = Names::new(integrand.id(), integrand.unit(), self.is_logarithmic);
         let first = [
@@ -109,7 +109,7 @@ impl ViewOptions for Options {
         columns.push("part_luminance".to_owned());
         let mut table = Table::named(columns);
         for (entry, title) in shown(session) {
-            let sum = data.ask(session, entry, request);
+            let sum = answers.ask(session, entry, request);
             let parts = sum.parts.iter().map(|part| {
                 let sizes = [part.patch.solid_angle(), part.patch.shadow()];
                 let values: Vec<f64> = names::value(part.value).collect();

@@ -1,7 +1,7 @@
 //! What a kind of view says of itself, and of the options of its instances.
 
 use super::section::OwnSection;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::Format;
 use crate::export::table::Table;
 use crate::number::Numbers;
@@ -97,7 +97,7 @@ pub trait ViewOptions: Default {
     }
 
     /// The numbers that the view shows.
-    fn table(&self, _session: &Session, _data: &mut Data) -> Table {
+    fn table(&self, _session: &Session, _answers: &mut Answers) -> Table {
         Table::default()
     }
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
 use crate::session::Session;
@@ -38,11 +38,11 @@ pub fn request(session: &Session) -> Request {
 
 impl ViewOptions for Options {
     /// The vertices of the mesh.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let columns = ["material", "w_x", "w_y", "w_z"];
         let mut table = Table::named(Names::of_lobe(session).columns(&columns));
         for (entry, title) in shown(session) {
-            let mesh = data.ask(session, entry, request(session));
+            let mesh = answers.ask(session, entry, request(session));
             for Vertex {
                 direction: w,
                 value,
@@ -51,7 +51,7 @@ impl ViewOptions for Options {
                 let cosine = if session.with_cosine { w.z.abs() } else { 1.0 };
                 table.push_value(&title, [w.x, w.y, w.z], value.map(|f| f * cosine));
             }
-            for arrow in data.ask(session, entry, Arrows).iter() {
+            for arrow in answers.ask(session, entry, Arrows).iter() {
                 table.push_delta(&title, arrow.direction.to_array(), arrow.flux);
             }
         }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::table::Table;
 use crate::number::Numbers;
 use crate::session::Session;
@@ -113,9 +113,9 @@ macro_rules! list {
             }
 
             /// See [`ViewOptions::table`].
-            pub fn table(&self, session: &Session, data: &mut Data) -> Table {
+            pub fn table(&self, session: &Session, answers: &mut Answers) -> Table {
                 match self {
-                    $(Self::$id(options) => options.table(session, data),)*
+                    $(Self::$id(options) => options.table(session, answers),)*
                 }
             }
         }

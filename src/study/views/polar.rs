@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
 use crate::number::Numbers;
@@ -54,11 +54,11 @@ impl ViewOptions for Options {
     }
 
     /// The section.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let columns = ["material", "angle (degrees)"];
         let mut table = Table::named(Names::of_lobe(session).columns(&columns));
         for (entry, title) in shown(session) {
-            let section = data.ask(session, entry, self.request(session));
+            let section = answers.ask(session, entry, self.request(session));
             for Point { angle, value } in section.lower.iter().chain(&section.upper) {
                 table.push_value(&title, [angle.to_degrees()], *value);
             }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::table::{Table, Value, shown};
 use crate::session::Session;
 use bxdf_lab::analysis::reflectance::CurveRequest;
@@ -64,7 +64,7 @@ impl ViewOptions for Options {
     }
 
     /// What each lobe does at each angle.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let mut table = Table::new(&[
             "material",
             "category",
@@ -77,7 +77,7 @@ impl ViewOptions for Options {
             "error",
         ]);
         for (entry, title) in shown(session) {
-            let curve = data.ask(session, entry, request(session));
+            let curve = answers.ask(session, entry, request(session));
             for row in &curve.rows {
                 for share in &row.shares {
                     let [r, g, b] = share.value;

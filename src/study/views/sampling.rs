@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
 use super::words::words;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::table::{Table, Value, shown};
 use crate::number::{NumberSpec, Numbers};
 use crate::session::Session;
@@ -122,12 +122,12 @@ impl ViewOptions for Options {
     }
 
     /// What is shown of it, the samples themselves where that is drawn from them.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let plot = self.plot;
         let mut table = Table::new(columns(plot));
         for (entry, title) in shown(session) {
             if plot == Plot::Warp {
-                let warps = data.ask(session, entry, WARP);
+                let warps = answers.ask(session, entry, WARP);
                 for warp in warps.iter() {
                     for (index, line) in warp.lines.iter().enumerate() {
                         for w in line {
@@ -139,7 +139,7 @@ impl ViewOptions for Options {
                     }
                 }
             } else {
-                let study = data.ask(session, entry, self.request(session));
+                let study = answers.ask(session, entry, self.request(session));
                 push(&mut table, &title, &study, plot);
             }
         }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, MAP_SIZE, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
 use crate::number::{NumberSpec, Numbers};
@@ -93,12 +93,12 @@ impl ViewOptions for Options {
     }
 
     /// Its pixels that lie above the surface, and what is mirrored at each theta_d.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let columns = ["material", "theta_h (degrees)", "theta_d (degrees)"];
         let mut table = Table::named(self.names().columns(&columns));
         let request = self.request(session);
         for (entry, title) in shown(session) {
-            let Slice { raster } = &*data.ask(session, entry, request);
+            let Slice { raster } = &*answers.ask(session, entry, request);
             let share = |index: usize, n: usize| (index as f64 + 0.5) / n as f64;
             let theta_d = |row: usize| 90.0 * (1.0 - share(row, raster.height));
             for (index, rgb) in raster.pixels.iter().enumerate() {
@@ -110,7 +110,7 @@ impl ViewOptions for Options {
             }
             for theta_d in (0..raster.height).map(theta_d) {
                 let of = |subject: &Subject<'_>| mirrored_at(&request, subject, theta_d);
-                if let Some(flux) = data.with_subject(session, entry, of) {
+                if let Some(flux) = answers.with_subject(session, entry, of) {
                     table.push_delta(&title, [0.0, theta_d], flux);
                 }
             }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::table::{Table, shown};
 use crate::number::{NumberSpec, Numbers};
 use crate::session::{Session, azimuth};
@@ -102,7 +102,7 @@ impl ViewOptions for Options {
     }
 
     /// The radiance of its pixels.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let mut table = Table::new(&[
             "material",
             "x",
@@ -114,7 +114,7 @@ impl ViewOptions for Options {
         ]);
         let request = self.request(f32::INFINITY);
         for (entry, title) in shown(session) {
-            let picture = data.ask(session, entry, request);
+            let picture = answers.ask(session, entry, request);
             for (index, [r, g, b, coverage]) in picture.pixels.iter().enumerate() {
                 if *coverage > 0.0 {
                     let place =

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::table::Table;
 use crate::session::Session;
 use bxdf_lab::analysis::Hold;
@@ -127,7 +127,7 @@ impl ViewOptions for Options {
     }
 
     /// The errors over the two axes, through the mirror direction of the held one.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let mut table = Table::new(&[
             "material",
             "x",
@@ -141,7 +141,7 @@ impl ViewOptions for Options {
         let request = self.request(session);
         let entry = session.materials.selected();
         let title = session.materials.title(entry);
-        let map = data.ask(session, entry, request.clone());
+        let map = answers.ask(session, entry, request.clone());
         for (index, cell) in map.pixels.iter().enumerate() {
             let share = |index: usize, n: usize| (index as f64 + 0.5) / n as f64;
             let x = request.x.value(share(index % map.width, map.width));

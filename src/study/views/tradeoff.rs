@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
-use crate::data::Data;
+use crate::answers::Answers;
 use crate::export::table::{Table, Value};
 use crate::number::{NumberSpec, Numbers};
 use crate::session::Session;
@@ -102,9 +102,9 @@ impl ViewOptions for Options {
     }
 
     /// The points of the trade-off.
-    fn table(&self, session: &Session, data: &mut Data) -> Table {
+    fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let request = request(session, Stopwatch::WallClock);
-        let report = data.of_material(session.materials.selected(), request);
+        let report = answers.of_material(session.materials.selected(), request);
         let rows = report
             .iter()
             .flat_map(|report| tradeoff_rows(&self.wanted(report)));

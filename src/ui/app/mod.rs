@@ -23,8 +23,8 @@ use bxdf::error::Error;
 use bxdf::resource::Content;
 use bxdf_lab::analysis::Detail;
 use bxdf_lab::timing::Stopwatch;
+use bxdf_study::answers::Answers;
 use bxdf_study::cursor::Cursor;
-use bxdf_study::data::Data;
 use bxdf_study::history::History;
 use bxdf_study::jobs::Clock;
 use bxdf_study::parallel::Pool;
@@ -55,7 +55,7 @@ pub struct App {
     pub(super) history: History,
     /// The threads of the window beside the one that draws.
     pub(super) pool: Pool,
-    pub(super) data: Data,
+    pub(super) answers: Answers,
     pub(super) state: ViewState,
     pub(super) cursor: Option<Cursor>,
     pub(super) only: Option<ViewId>,
@@ -102,7 +102,7 @@ impl App {
         Self {
             history: History::new(&session),
             session,
-            data: Data::new(clock, pool.clone(), move || ctx.request_repaint()),
+            answers: Answers::new(clock, pool.clone(), move || ctx.request_repaint()),
             pool,
             state: ViewState::default(),
             cursor: None,
@@ -136,7 +136,7 @@ impl App {
     /// The least detail in which the last frame shows the session; `None` where a part of it is older.
     #[must_use]
     pub fn shown(&self) -> Option<Detail> {
-        self.data.shown()
+        self.answers.shown()
     }
 
     /// Measures trade-offs with another clock: pictures that are to be the same twice need one that does not run.

@@ -88,19 +88,19 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
 
 /// Why there are fewer deltas than one might expect.
 fn note(cx: &mut ViewContext<'_, Options>) -> Option<&'static str> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     if cx.options.abscissa == Abscissa::Free {
         return None;
     }
     let crosses = |arrow: &Arrow| arrow.side == Side::Transmission;
     let mut shown = session.materials.shown();
-    let has_one = shown.any(|entry| data.ask(session, entry, Arrows).iter().any(crosses));
+    let has_one = shown.any(|entry| answers.ask(session, entry, Arrows).iter().any(crosses));
     has_one.then_some("Deltas that cross the surface have no half vector: they are not shown here")
 }
 
 /// The chart of every material shown.
 fn chart(cx: &mut ViewContext<'_, Options>) -> Chart {
-    let (session, data, palette) = (&*cx.session, &mut *cx.data, cx.palette);
+    let (session, answers, palette) = (&*cx.session, &mut *cx.answers, cx.palette);
     let options = *cx.options;
     let request = options.request(session);
     let reference = options.is_residual.then(|| session.materials.reference());
@@ -110,7 +110,7 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> Chart {
         Abscissa::Free | Abscissa::Half => super::context::OUTSIDE_SECTION,
     };
     for entry in session.materials.shown() {
-        let curve = data.compare(session, entry, reference, request);
+        let curve = answers.compare(session, entry, reference, request);
         let (title, color) = (
             session.materials.title(entry),
             palette.material(entry.slot()),
@@ -264,7 +264,7 @@ fn point_at_pair(ui: &Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart, show
     chart.read_out(ui, shown, x, &heading, cx.palette);
     if shown.response.clicked() {
         let session = &*cx.session;
-        let surface = cx.data.surface(session, session.materials.selected());
+        let surface = cx.answers.surface(session, session.materials.selected());
         let lobe = HeldLobe::new(&*surface.bxdf, session.hold, session.held());
         let (wo, wi) = request.pair_at(&lobe, x);
         cx.hold_pair(wo, wi);

@@ -14,8 +14,8 @@ use crate::widgets::{choice, deltas as widgets_deltas, draw};
 use bxdf_lab::analysis::hemisphere::Map;
 use bxdf_lab::analysis::{Hold, deltas, polar as section};
 use bxdf_lab::timing::Stopwatch;
+use bxdf_study::answers::Answers;
 use bxdf_study::cursor::Cursor;
-use bxdf_study::data::Data;
 use bxdf_study::export::Format;
 use bxdf_study::memo::{Memo, Same};
 use bxdf_study::session::{EntryId, Materials, Section, Session, ViewId};
@@ -28,8 +28,8 @@ pub struct ViewContext<'a, O = ()> {
     pub session: &'a mut Session,
     /// What the view shows of it, and how: the view's own affair.
     pub options: &'a mut O,
-    /// The data of the session.
-    pub data: &'a mut Data,
+    /// What is answered about the session.
+    pub answers: &'a mut Answers,
     /// What the views keep between frames.
     pub state: &'a mut ViewState,
     /// The direction last pointed at, which every view shows; set by the view that has the pointer.
@@ -71,7 +71,7 @@ impl<O> ViewContext<'_, O> {
             view: self.view,
             session: self.session,
             options,
-            data: self.data,
+            answers: self.answers,
             state: self.state,
             cursor: self.cursor,
             palette: self.palette,

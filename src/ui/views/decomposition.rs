@@ -64,11 +64,11 @@ fn controls(ui: &mut Ui, options: &mut Options) {
 
 /// The parts of each material shown.
 fn parts(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Decomposition>)> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let request = cx.options.request(session);
     let shown = session.materials.shown();
     shown
-        .map(|entry| (entry.id(), data.ask(session, entry, request)))
+        .map(|entry| (entry.id(), answers.ask(session, entry, request)))
         .collect()
 }
 

@@ -101,7 +101,7 @@ fn report(cx: &mut ViewContext<'_, Options>) -> Report {
         Hold::Viewer => wi,
     };
     let row = |entry| {
-        let (reading, deltas) = cx.data.with_subject(session, entry, |subject| {
+        let (reading, deltas) = cx.answers.with_subject(session, entry, |subject| {
             let lobe = &subject.lobe;
             (Reading::of(lobe.surface(), wo, wi), deltas(lobe, free))
         });

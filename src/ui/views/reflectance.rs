@@ -76,13 +76,13 @@ fn controls(ui: &mut Ui, options: &mut Options) {
 
 /// The chart of every material shown, and what stands in its corner: the hemispherical reflectances.
 fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
-    let (session, data, palette) = (&*cx.session, &mut *cx.data, cx.palette);
+    let (session, answers, palette) = (&*cx.session, &mut *cx.answers, cx.palette);
     let options = *cx.options;
     let is_furnace = options.is_furnace && options.split == Split::Total;
     let is_overlay = session.materials.is_overlay();
     let (mut series, mut bands, mut means) = (Vec::new(), Vec::new(), Vec::new());
     for entry in session.materials.shown() {
-        let curve = data.ask(session, entry, request(session));
+        let curve = answers.ask(session, entry, request(session));
         let title = session.materials.title(entry);
         means.push(hemispherical(&title, &curve));
         for (index, part) in parts(&curve, options.split).into_iter().enumerate() {

@@ -83,9 +83,9 @@ fn controls(ui: &mut Ui, options: &mut Options) {
 }
 
 fn slices(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Slice>)> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let request = cx.options.request(session);
-    let slice = |entry: &MaterialEntry| (entry.id(), data.ask(session, entry, request));
+    let slice = |entry: &MaterialEntry| (entry.id(), answers.ask(session, entry, request));
     session.materials.shown().map(slice).collect()
 }
 
@@ -154,7 +154,7 @@ fn delta_at(cx: &mut ViewContext<'_, Options>, entry: EntryId, theta_d_deg: f64)
     let entry = session.materials.get(entry)?;
     let request = cx.options.request(session);
     let share = |subject: &Subject<'_>| mirrored_at(&request, subject, theta_d_deg);
-    let share = cx.data.with_subject(session, entry, share)?;
+    let share = cx.answers.with_subject(session, entry, share)?;
     Some(Channel::Luminance.of(share))
 }
 

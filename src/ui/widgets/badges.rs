@@ -7,7 +7,7 @@ use egui::{Button, Color32, Response, RichText, Role, Ui, WidgetInfo};
 use crate::theme::{self, Palette};
 use bxdf::Material;
 use bxdf_lab::contract::{LawId, LawReport, PHYSICAL, PhysicalLaws, Status, Witness};
-use bxdf_study::data::Data;
+use bxdf_study::answers::Answers;
 use bxdf_study::format;
 use bxdf_study::session::MaterialEntry;
 
@@ -197,7 +197,7 @@ pub fn show(
     title: &str,
     entry: &MaterialEntry,
     material: &mut Material,
-    data: &mut Data,
+    answers: &mut Answers,
     palette: &Palette,
 ) -> Option<Witness> {
     if let Some(lack) = entry.material.lack() {
@@ -205,7 +205,7 @@ pub fn show(
         ui.label(text.color(palette.warning));
         return None;
     }
-    let checks = data.of_material(entry, PhysicalLaws);
+    let checks = answers.of_material(entry, PhysicalLaws);
     let badges = Badges {
         title,
         reports: checks.as_ref().map(|checks| checks.as_slice()),

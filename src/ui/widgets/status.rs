@@ -5,8 +5,8 @@ use egui::{Align, Label, Layout, Ui};
 use super::{draw, shares};
 use crate::theme::Palette;
 use bxdf_lab::analysis::reflectance::LobeShare;
+use bxdf_study::answers::Progress;
 use bxdf_study::cursor::Cursor;
-use bxdf_study::data::Progress;
 use bxdf_study::session::Session;
 
 /// The line.

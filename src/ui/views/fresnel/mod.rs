@@ -79,7 +79,7 @@ fn show_material(
         return;
     };
     let request = cx.options.request();
-    let fresnel = cx.data.ask(cx.session, entry, request);
+    let fresnel = cx.answers.ask(cx.session, entry, request);
     let look = curves::Look {
         slot: entry.slot(),
         palette: cx.palette,
@@ -90,7 +90,7 @@ fn show_material(
     let is_over_wavelength = cx.options.is_over_wavelength(&entry.material);
     let mut chart = if is_over_wavelength {
         let query = cx.options.over_wavelength();
-        let all = cx.data.ask(cx.session, entry, query);
+        let all = cx.answers.ask(cx.session, entry, query);
         curves::over_wavelength(name, &all, &look)
     } else {
         curves::over_angle(name, &fresnel, &look)
@@ -157,7 +157,7 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         let shown = || cx.session.materials.shown();
         let request = cx.options.request();
         let is_clear = |entry: &MaterialEntry| {
-            !cx.data.ask(cx.session, entry, request).is_absorbing
+            !cx.answers.ask(cx.session, entry, request).is_absorbing
         };
         // Out of a metal no light comes.
         if shown().any(is_clear) {

@@ -117,14 +117,19 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
 
 /// The maps of the materials shown; where they are compared, the reference is none of them, unless it is alone.
 fn maps(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Map>)> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let reference = session.materials.reference();
     let is_compared = cx.options.comparison != Comparison::None;
     let request = cx.options.request();
     let is_only = session.materials.shown().count() == 1;
     let wanted = |entry: &&MaterialEntry| !is_compared || is_only || entry.id() != reference.id();
     let against = is_compared.then_some(reference);
-    let map = |entry: &MaterialEntry| (entry.id(), data.compare(session, entry, against, request));
+    let map = |entry: &MaterialEntry| {
+        (
+            entry.id(),
+            answers.compare(session, entry, against, request),
+        )
+    };
     session.materials.shown().filter(wanted).map(map).collect()
 }
 
@@ -307,7 +312,7 @@ fn point(
 fn read_out(cx: &mut ViewContext<'_, Options>, cursor: &Cursor) -> String {
     let session = &*cx.session;
     let (entry, reference) = (cursor.entry(session), session.materials.reference());
-    let [surface, other] = [entry, reference].map(|entry| cx.data.surface(session, entry));
+    let [surface, other] = [entry, reference].map(|entry| cx.answers.surface(session, entry));
     let lobe = |surface| HeldLobe::new(surface, session.hold, session.held());
     let subject = Subject {
         against: Some(lobe(&*other.bxdf)),

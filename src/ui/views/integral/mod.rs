@@ -138,12 +138,12 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 
 /// The sums of the materials shown. What is of the sphere alone is summed once.
 fn known(cx: &mut ViewContext<'_, Options>, request: Request) -> Vec<Known> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let exact = cx.options.exact_request(session);
     let known = |entry: &MaterialEntry| Known {
         entry: entry.id(),
-        sum: data.ask(session, entry, request),
-        exact: data.ask(session, entry, exact),
+        sum: answers.ask(session, entry, request),
+        exact: answers.ask(session, entry, exact),
     };
     let most = if request.integrand.is_of_surface() {
         usize::MAX

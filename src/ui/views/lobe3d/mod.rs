@@ -185,7 +185,7 @@ fn read_out(
         material: entry.id(),
         direction,
     };
-    let value = cursor.value(cx.session, cx.data);
+    let value = cursor.value(cx.session, cx.answers);
     draw::pointer_note(
         ui,
         pointer,

@@ -41,13 +41,13 @@ pub(super) struct Requested {
     arrows: Same<Vec<Arrow>>,
 }
 
-/// The data of every material that is shown.
+/// What is drawn of every material that is shown.
 pub(super) fn requested(cx: &mut ViewContext<'_, Options>) -> Vec<Requested> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let request = |entry: &MaterialEntry| Requested {
         material: entry.id(),
-        mesh: Same(data.ask(session, entry, request(session))),
-        arrows: Same(data.ask(session, entry, Arrows)),
+        mesh: Same(answers.ask(session, entry, request(session))),
+        arrows: Same(answers.ask(session, entry, Arrows)),
     };
     session.materials.shown().map(request).collect()
 }

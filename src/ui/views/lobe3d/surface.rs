@@ -292,18 +292,18 @@ impl DrawnLobe {
 mod tests {
     use super::*;
     use bxdf_lab::analysis::deltas::Arrows;
-    use bxdf_study::data::Data;
+    use bxdf_study::answers::Answers;
     use bxdf_study::session::MaterialEntry;
     use bxdf_study::views::lobe3d::request;
 
     fn lobes(session: &Session) -> Lobes {
-        let mut data = Data::at_once();
+        let mut answers = Answers::at_once();
         let part = |entry: &MaterialEntry| Part {
             material: entry.id(),
             title: entry.title(),
             color: Color32::WHITE,
-            mesh: data.ask(session, entry, request(session)),
-            arrows: data.ask(session, entry, Arrows),
+            mesh: answers.ask(session, entry, request(session)),
+            arrows: answers.ask(session, entry, Arrows),
         };
         Lobes::of(session.materials.shown().map(part).collect(), session)
     }

@@ -128,13 +128,13 @@ fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, transform: &PlotTransform
 
 /// What the plot shows, the selected material last, so that it lies over the others.
 fn plotted(cx: &mut ViewContext<'_, Options>) -> Vec<Plotted> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let selected = session.materials.selected().id();
     let request = cx.options.request(session);
     let plot = |entry: &MaterialEntry| Plotted {
         slot: entry.slot(),
         is_selected: entry.id() == selected,
-        section: data.ask(session, entry, request),
+        section: answers.ask(session, entry, request),
     };
     let mut plotted: Vec<Plotted> = session.materials.shown().map(plot).collect();
     plotted.sort_by_key(|one| one.is_selected);
@@ -230,7 +230,7 @@ fn read_out(
         material: entry.id(),
         direction: polar::direction(angle, cx.options.request(cx.session).phi),
     };
-    let value = cursor.value(cx.session, cx.data);
+    let value = cursor.value(cx.session, cx.answers);
     let painter = ui.painter_at(*transform.frame());
     let position = |radius: f64| {
         let [x, y] = at(radius, angle);

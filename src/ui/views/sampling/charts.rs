@@ -78,11 +78,11 @@ pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 
 /// The deltas of the section, as high as the chance that a sample is theirs.
 fn delta_stems(cx: &mut ViewContext<'_, Options>) -> Vec<chart::Stem> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let phi = cx.options.request(session).phi;
     let mut stems = Vec::new();
     for entry in session.materials.shown() {
-        let arrows = data.ask(session, entry, Arrows);
+        let arrows = answers.ask(session, entry, Arrows);
         let (title, color) = (
             session.materials.title(entry),
             cx.palette.material(entry.slot()),

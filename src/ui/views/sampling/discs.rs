@@ -134,11 +134,11 @@ impl Disc {
 
 /// The samples as dots; those below the surface as rings; deltas as one ring with their number.
 pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Disc, entry: EntryId) {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let Some(found) = session.materials.get(entry) else {
         return;
     };
-    let study = data.ask(session, found, cx.options.request(session));
+    let study = answers.ask(session, found, cx.options.request(session));
     let color = color_of(cx, entry);
     let painter = ui.painter();
     let radius = (disc.rect.width() / 260.0).clamp(0.7, 1.8);
@@ -189,11 +189,11 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
 
 /// The images of the grid of random numbers, lobe by lobe.
 pub(super) fn draw_warp(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Disc, entry: EntryId) {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let Some(found) = session.materials.get(entry) else {
         return;
     };
-    let warps = data.ask(session, found, WARP);
+    let warps = answers.ask(session, found, WARP);
     let is_only = warps.len() == 1;
     for Warp { lobe, lines } in warps.iter() {
         let color = if is_only {
@@ -243,11 +243,11 @@ pub(super) fn draw_histogram(
     entry: EntryId,
 ) {
     let rect = disc.rect;
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let Some(found) = session.materials.get(entry) else {
         return;
     };
-    let study = data.ask(session, found, cx.options.request(session));
+    let study = answers.ask(session, found, cx.options.request(session));
     let id = ui.scope_id().with(("histogram", entry));
     let sources = vec![Arc::clone(&study) as _];
     let scale = deviations();

@@ -11,9 +11,9 @@ use bxdf_study::views::sampling::Options;
 
 /// The samples of every material shown.
 pub(super) fn studies(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Study>)> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let request = cx.options.request(session);
-    let study = |entry: &MaterialEntry| (entry.id(), data.ask(session, entry, request));
+    let study = |entry: &MaterialEntry| (entry.id(), answers.ask(session, entry, request));
     session.materials.shown().map(study).collect()
 }
 

@@ -30,7 +30,7 @@ pub(super) fn mark_glint(
         return;
     };
     let glint = |subject: &Subject<'_>| sphere::glint(&subject.lobe, light);
-    let Some((place, flux)) = cx.data.with_subject(session, found, glint) else {
+    let Some((place, flux)) = cx.answers.with_subject(session, found, glint) else {
         return;
     };
     let painter = ui.painter_at(strip);

@@ -129,9 +129,9 @@ fn texture(
     width: f32,
     is_difference: bool,
 ) -> Option<pictures::Texture> {
-    let (session, data) = (&*cx.session, &mut *cx.data);
+    let (session, answers) = (&*cx.session, &mut *cx.answers);
     let request = cx.options.request(width * ui.ctx().pixels_per_point());
-    let mut of = |entry: &MaterialEntry| data.ask(session, entry, request);
+    let mut of = |entry: &MaterialEntry| answers.ask(session, entry, request);
     let picture = of(session.materials.get(entry)?);
     let id = ui.scope_id().with(("sphere", entry));
     let textures = &mut cx.state.textures;

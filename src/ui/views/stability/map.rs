@@ -45,7 +45,7 @@ const TICK_SPACING: f32 = 46.0;
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let request = cx.options.request(cx.session);
     let selected = cx.session.materials.selected();
-    let map = cx.data.ask(cx.session, selected, request.clone());
+    let map = cx.answers.ask(cx.session, selected, request.clone());
     let (range, name) = match cx.options.unit {
         ErrorUnit::Roundings => (ROUNDINGS, "error, in u"),
         ErrorUnit::Relative => (ERRORS, "relative error"),

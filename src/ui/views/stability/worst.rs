@@ -13,7 +13,7 @@ const ROWS: usize = 12;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let selected = cx.session.materials.selected();
-    let found = cx.data.ask(cx.session, selected, Ranking);
+    let found = cx.answers.ask(cx.session, selected, Ranking);
     let hint = "Where the error uses up most of what the stability law allows, at every extreme of \
         directions; a click holds that pair in every view";
     ui.label(RichText::new("Worst points").strong())

@@ -13,7 +13,7 @@ use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
 use bxdf_lab::tradeoff::{FAMILIES, Report, Request};
-use bxdf_study::data::Ordered;
+use bxdf_study::answers::Ordered;
 use bxdf_study::jobs::Part;
 use bxdf_study::views::tradeoff::{Options, TOLERANCE, request};
 
@@ -22,7 +22,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if is_wanted && !is_measured(cx) {
         start(cx);
     }
-    let ordered = cx.data.ordered::<Request>();
+    let ordered = cx.answers.ordered::<Request>();
     controls(ui, cx, ordered.as_ref());
     let report = ordered.as_ref().and_then(|ordered| ordered.answer.clone());
     let Some(report) = report.filter(|report| !report.families.is_empty()) else {
@@ -56,13 +56,13 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 fn is_measured(cx: &mut ViewContext<'_, Options>) -> bool {
     let request = request(cx.session, cx.state.stopwatch);
     let selected = cx.session.materials.selected();
-    cx.data.is_ordered(selected, &request)
+    cx.answers.is_ordered(selected, &request)
 }
 
 fn start(cx: &mut ViewContext<'_, Options>) {
     *cx.state.own::<Chosen>(cx.view) = None;
     let request = request(cx.session, cx.state.stopwatch);
-    cx.data.order(cx.session.materials.selected(), request);
+    cx.answers.order(cx.session.materials.selected(), request);
 }
 
 /// The buttons, how far it is, and what is measured.
@@ -75,7 +75,7 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, ordered: Option<&Ord
                 .on_hover_text("Stop measuring; what is known stays")
                 .clicked()
             {
-                cx.data.call_off::<Request>();
+                cx.answers.call_off::<Request>();
             }
             progress(ui, ordered.and_then(|ordered| ordered.part));
         } else {

@@ -6,7 +6,7 @@ use crate::theme::{self, Palette};
 use action::{Action, grip_id, row_id};
 use bxdf::error::Result;
 use bxdf_lab::contract::Witness;
-use bxdf_study::data::Data;
+use bxdf_study::answers::Answers;
 use bxdf_study::session::{EntryId, Materials};
 use row::Row;
 
@@ -34,7 +34,7 @@ impl MaterialList {
         &mut self,
         ui: &mut Ui,
         materials: &mut Materials,
-        data: &mut Data,
+        answers: &mut Answers,
         palette: &Palette,
     ) -> Result<Option<Witness>> {
         let mut wished = Vec::new();
@@ -44,7 +44,7 @@ impl MaterialList {
             .auto_shrink([false, true]);
         area.show(ui, |ui| {
             ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
-            let rects = self.rows(ui, materials, data, palette, &mut wished);
+            let rects = self.rows(ui, materials, answers, palette, &mut wished);
             if let Some((id, place)) = dragged_to(ui, materials, &rects) {
                 wished.push((id, Action::MoveTo(place)));
             }
@@ -64,7 +64,7 @@ impl MaterialList {
         &mut self,
         ui: &mut Ui,
         materials: &Materials,
-        data: &mut Data,
+        answers: &mut Answers,
         palette: &Palette,
         wished: &mut Vec<(EntryId, Action)>,
     ) -> Vec<Rect> {
@@ -81,7 +81,7 @@ impl MaterialList {
             };
             // A row keeps its ids, and with them the focus, when it moves.
             let scope = UiBuilder::new().scope_id(row_id(id));
-            let response = ui.scope_builder(scope, |ui| row.show(ui, data, palette));
+            let response = ui.scope_builder(scope, |ui| row.show(ui, answers, palette));
             wished.extend(response.inner.into_iter().map(|action| (id, action)));
             let response = response.response;
             rects.push(response.rect);

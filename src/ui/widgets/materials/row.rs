@@ -11,7 +11,7 @@ use crate::theme::{self, Dash, Palette};
 use crate::widgets::badges::Badges;
 use crate::widgets::draw;
 use bxdf_lab::contract::PhysicalLaws;
-use bxdf_study::data::Data;
+use bxdf_study::answers::Answers;
 use bxdf_study::session::{MaterialEntry, Materials};
 
 /// A row, about to be shown.
@@ -25,7 +25,12 @@ pub(super) struct Row<'a> {
 
 impl Row<'_> {
     /// The row: grip, whether it is seen, line, name, badge, menu. Returns what the user wants.
-    pub(super) fn show(&self, ui: &mut Ui, data: &mut Data, palette: &Palette) -> Vec<Action> {
+    pub(super) fn show(
+        &self,
+        ui: &mut Ui,
+        answers: &mut Answers,
+        palette: &Palette,
+    ) -> Vec<Action> {
         let mut wished = Vec::new();
         ui.horizontal(|ui| {
             self.grip(ui, &mut wished);
@@ -35,7 +40,7 @@ impl Row<'_> {
                 // Names need the room.
                 ui.spacing_mut().item_spacing.x = theme::ROW_SPACING;
                 self.menu_button(ui, &mut wished);
-                self.badge(ui, data, palette, &mut wished);
+                self.badge(ui, answers, palette, &mut wished);
                 if self.is_alone() {
                     let solo = ui
                         .selectable_label(true, "Alone")
@@ -56,7 +61,13 @@ impl Row<'_> {
     }
 
     /// What became of the laws, where it is in sight.
-    fn badge(&self, ui: &mut Ui, data: &mut Data, palette: &Palette, wished: &mut Vec<Action>) {
+    fn badge(
+        &self,
+        ui: &mut Ui,
+        answers: &mut Answers,
+        palette: &Palette,
+        wished: &mut Vec<Action>,
+    ) {
         if let Some(lack) = self.entry.material.lack() {
             let mark = ui.colored_label(palette.warning, "⚠");
             let name = format!("{} is not shown: {lack}", self.title);
@@ -67,7 +78,7 @@ impl Row<'_> {
         let size = vec2(theme::RESET_WIDTH, theme::GRIP.y);
         let is_in_sight = ui.is_rect_visible(Rect::from_center_size(ui.max_rect().center(), size));
         let checks = if is_in_sight {
-            data.of_material(self.entry, PhysicalLaws)
+            answers.of_material(self.entry, PhysicalLaws)
         } else {
             None
         };

@@ -11,7 +11,7 @@ use crate::theme;
 use bxdf::error::Result;
 use bxdf::material::library::Named;
 use bxdf::{Material, ModelSpec, Side};
-use bxdf_study::data::Data;
+use bxdf_study::answers::Answers;
 use bxdf_study::session::{EntryId, MaterialEntry, Materials};
 use entry::{Entry, List};
 
@@ -81,7 +81,12 @@ impl Picker {
     ///
     /// # Errors
     /// [`bxdf::Error::Limit`] where there are as many materials as a session has.
-    pub fn show(&mut self, ui: &mut Ui, materials: &mut Materials, data: &mut Data) -> Result<()> {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        materials: &mut Materials,
+        answers: &mut Answers,
+    ) -> Result<()> {
         self.follow(materials.selected());
         if self.is_adding {
             self.is_folded = false;
@@ -103,7 +108,7 @@ impl Picker {
         let next = self.highlight.at();
         let shown = next.filter(|_| typed.has_focus);
         let clicked = area.show(ui, |ui| {
-            self.entries(ui, &found, shown, materials.selected(), data)
+            self.entries(ui, &found, shown, materials.selected(), answers)
         });
         let entered = next.filter(|_| typed.is_entered);
         let entered = entered.and_then(|at| found.listed().get(at).copied());
@@ -268,12 +273,12 @@ impl Picker {
         found: &Found<Entry>,
         next: Option<usize>,
         selected: &MaterialEntry,
-        data: &mut Data,
+        answers: &mut Answers,
     ) -> Option<Entry> {
         let is_moved = self.highlight.take_moved();
         let (mut chosen, mut index) = (None, 0);
         let mut show = |ui: &mut Ui, entry: &Entry| {
-            let row = self.row(ui, *entry, selected, data);
+            let row = self.row(ui, *entry, selected, answers);
             if next == Some(index) {
                 let stroke = ui.visuals().selection.stroke;
                 ui.painter()
@@ -313,12 +318,12 @@ impl Picker {
         ui: &mut Ui,
         entry: Entry,
         selected: &MaterialEntry,
-        data: &mut Data,
+        answers: &mut Answers,
     ) -> Response {
         let is_chosen = !self.is_adding && entry.is_origin_of(&selected.material);
         let row = match entry {
             Entry::Model(model) => ui.selectable_label(is_chosen, title(model)),
-            Entry::Named(named) => self.pictured(ui, named, is_chosen, data),
+            Entry::Named(named) => self.pictured(ui, named, is_chosen, answers),
         };
         let row = row.on_hover_text(entry.hint());
         if is_chosen && self.scrolled_to != entry.id() {
@@ -334,7 +339,7 @@ impl Picker {
         ui: &mut Ui,
         named: &'static Named,
         is_chosen: bool,
-        data: &mut Data,
+        answers: &mut Answers,
     ) -> Response {
         let salt = IdSalt::new(named.id);
         let picture = Atom::custom(salt, Vec2::splat(theme::THUMBNAIL_SIZE));
@@ -342,7 +347,7 @@ impl Picker {
         let row = row.atom_ui(ui);
         if let Some(rect) = row.rect(salt)
             && ui.is_rect_visible(rect)
-            && let Some(texture) = self.thumbnails.get(ui.ctx(), named, data)
+            && let Some(texture) = self.thumbnails.get(ui.ctx(), named, answers)
         {
             let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
             ui.painter().image(texture, rect, whole, Color32::WHITE);

@@ -39,7 +39,7 @@ enum Of {
 
 /// The answers of one material.
 #[derive(Default)]
-struct Answers {
+struct OfMaterial {
     surface: Option<Arc<Surface>>,
     /// The slots of queries, by who asks, the type of the query and its place.
     slots: HashMap<(Option<ViewId>, TypeId, usize), Kept>,
@@ -55,7 +55,7 @@ struct Kept {
     is_following: bool,
 }
 
-impl Answers {
+impl OfMaterial {
     /// The surface of `material`; `rotation_deg`: by how much it is turned, where that matters.
     fn surface(&mut self, material: &Material, rotation_deg: Option<f64>) -> Arc<Surface> {
         let last = self.surface.as_ref();
@@ -117,11 +117,11 @@ pub struct Ordered<A> {
 /// How many frames the answer to a query outlives the view that asked: a view hidden for longer asks anew.
 const FRAMES_KEPT: u64 = 3;
 
-/// The data of each view and material, and how long the last update took.
+/// The answers about each material, by who asks, and how long the last update took.
 ///
 /// What takes longer than a frame is computed by the pool: until then the views get the last answer, or an empty one.
-pub struct Data {
-    answers: HashMap<Of, Answers>,
+pub struct Answers {
+    answers: HashMap<Of, OfMaterial>,
     /// What was ordered: an `Asking<Q>` for each type of query `Q`.
     orders: HashMap<TypeId, Box<dyn Any>>,
     jobs: Jobs,
@@ -138,14 +138,14 @@ pub struct Data {
     shown: Option<Detail>,
 }
 
-impl Data {
-    /// No data yet, and no clock: every answer is computed at once.
+impl Answers {
+    /// Nothing is answered yet, and no clock: every answer is computed at once.
     #[must_use]
     pub fn at_once() -> Self {
         Self::new(None, Pool::at_once(), || {})
     }
 
-    /// No data yet; `clock` measures the updates, `pool` answers what takes longer than a frame, and `wake` is called when
+    /// Nothing is answered yet; `clock` measures the updates, `pool` answers what takes longer than a frame, and `wake` is called when
     /// there are answers to be shown. Without a clock every answer is computed at once.
     #[must_use]
     pub fn new(clock: Option<Clock>, pool: Pool, wake: impl Fn() + Send + Sync + 'static) -> Self {

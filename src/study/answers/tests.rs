@@ -12,16 +12,16 @@ fn views_that_ask_the_same_have_one_answer_and_else_each_its_own() {
     let mut session = Session::of("oren_nayar".parse().unwrap());
     let second = session.views.duplicate(session.views.ids()[0]).unwrap();
     let views = [session.views.ids()[0], second];
-    let mut data = Data::at_once();
+    let mut answers = Answers::at_once();
     let mut ask = |azimuths: [f64; 2]| {
-        data.begin_frame(&session);
+        answers.begin_frame(&session);
         let asked = [0, 1].map(|index| {
-            data.asked_by(Some(views[index]));
+            answers.asked_by(Some(views[index]));
             let own_section_deg = OwnSection(Some(azimuths[index]));
             let request = polar::Options { own_section_deg }.request(&session);
-            data.ask(&session, session.materials.selected(), request)
+            answers.ask(&session, session.materials.selected(), request)
         });
-        data.asked_by(None);
+        answers.asked_by(None);
         asked
     };
     let [first, second] = ask([10.0, 10.0]);
@@ -37,48 +37,54 @@ fn views_that_ask_the_same_have_one_answer_and_else_each_its_own() {
 fn each_material_keeps_its_answers_until_it_is_removed() {
     let mut session = Session::of("oren_nayar".parse().unwrap());
     let added = session.materials.add("phong".parse().unwrap()).unwrap();
-    let mut data = Data::at_once();
-    data.begin_frame(&session);
-    let section = |data: &mut Data, session: &Session, index: usize| {
+    let mut answers = Answers::at_once();
+    answers.begin_frame(&session);
+    let section = |answers: &mut Answers, session: &Session, index: usize| {
         let entry = session.materials.iter().nth(index).unwrap();
-        data.ask(session, entry, polar::Options::default().request(session))
+        answers.ask(session, entry, polar::Options::default().request(session))
     };
-    let [first, second] = [0, 1].map(|index| section(&mut data, &session, index));
+    let [first, second] = [0, 1].map(|index| section(&mut answers, &session, index));
     assert_ne!(first, second);
     // One is edited: the other one is not computed anew.
     session.materials.get_mut(added).unwrap().material = "ward".parse().unwrap();
-    assert!(Arc::ptr_eq(&first, &section(&mut data, &session, 0)));
-    assert!(!Arc::ptr_eq(&second, &section(&mut data, &session, 1)));
+    assert!(Arc::ptr_eq(&first, &section(&mut answers, &session, 0)));
+    assert!(!Arc::ptr_eq(&second, &section(&mut answers, &session, 1)));
     // The laws of a material do not depend on what is held.
-    let laws = |data: &mut Data, session: &Session| {
-        data.of_material(session.materials.selected(), PhysicalLaws)
+    let laws = |answers: &mut Answers, session: &Session| {
+        answers.of_material(session.materials.selected(), PhysicalLaws)
     };
-    let checked = laws(&mut data, &session).unwrap();
+    let checked = laws(&mut answers, &session).unwrap();
     session.theta_deg = 10.0;
-    assert!(Arc::ptr_eq(&checked, &laws(&mut data, &session).unwrap()));
+    assert!(Arc::ptr_eq(
+        &checked,
+        &laws(&mut answers, &session).unwrap()
+    ));
     // Nor on how it is turned; and they may be out of sight for a while.
     session.rotation_deg = 30.0;
-    section(&mut data, &session, 0);
-    (0..10).for_each(|_| data.begin_frame(&session));
-    assert!(Arc::ptr_eq(&checked, &laws(&mut data, &session).unwrap()));
+    section(&mut answers, &session, 0);
+    (0..10).for_each(|_| answers.begin_frame(&session));
+    assert!(Arc::ptr_eq(
+        &checked,
+        &laws(&mut answers, &session).unwrap()
+    ));
     session.materials.remove(added);
-    data.begin_frame(&session);
-    assert_eq!(data.answers.len(), 1);
+    answers.begin_frame(&session);
+    assert_eq!(answers.answers.len(), 1);
 }
 
 #[test]
 fn what_is_named_is_answered_without_a_session() {
     let named = &bxdf::material::library::all()[0];
     let request = thumbnail::Request { side: 4 };
-    let mut data = Data::at_once();
-    let picture = data.of_named(named, request).unwrap();
+    let mut answers = Answers::at_once();
+    let picture = answers.of_named(named, request).unwrap();
     assert!(picture.pixels.iter().flatten().any(|x| *x > 0.0));
     assert!(Arc::ptr_eq(
         &picture,
-        &data.of_named(named, request).unwrap()
+        &answers.of_named(named, request).unwrap()
     ));
-    (0..2 * FRAMES_KEPT).for_each(|_| data.begin_frame(&Session::default()));
-    assert!(data.answers.is_empty());
+    (0..2 * FRAMES_KEPT).for_each(|_| answers.begin_frame(&Session::default()));
+    assert!(answers.answers.is_empty());
 }
 
 /// The letters of the material's title, told one after the other, each as soon as the gate lets it through.
@@ -130,22 +136,22 @@ fn letters() -> (Letters, mpsc::Sender<()>) {
 fn what_is_ordered_is_told_in_parts_and_stays_until_the_next_order() {
     let mut session = Session::of("phong".parse().unwrap());
     let (told, news) = mpsc::channel();
-    let mut data = Data::new(Some(platform::seconds), Pool::new(), move || {
+    let mut answers = Answers::new(Some(platform::seconds), Pool::new(), move || {
         let _ = told.send(());
     });
     let next = || news.recv_timeout(Duration::from_secs(10)).unwrap();
-    assert!(data.ordered::<Letters>().is_none());
+    assert!(answers.ordered::<Letters>().is_none());
     let (query, open) = letters();
     let entry = session.materials.selected().clone();
     let title = entry.material.title();
-    data.begin_frame(&session);
-    data.order(&entry, query.clone());
-    assert!(data.is_ordered(&entry, &query) && !data.is_ordered(&entry, &letters().0));
+    answers.begin_frame(&session);
+    answers.order(&entry, query.clone());
+    assert!(answers.is_ordered(&entry, &query) && !answers.is_ordered(&entry, &letters().0));
     for end in 1..3 {
         open.send(()).unwrap();
         let told = title[..end].to_owned();
         let ordered = loop {
-            let ordered = data.ordered::<Letters>().unwrap();
+            let ordered = answers.ordered::<Letters>().unwrap();
             if ordered.answer.as_deref() == Some(&told) {
                 break ordered;
             }
@@ -154,40 +160,40 @@ fn what_is_ordered_is_told_in_parts_and_stays_until_the_next_order() {
         let share = ordered.part.unwrap().share;
         assert!(ordered.is_awaited && (share * title.len() as f64 - end as f64).abs() < 1e-9);
         // Nobody is told to wait for it, and what the views ask meanwhile is answered.
-        data.begin_frame(&session);
-        assert!(matches!(data.progress(), Progress::Complete(_)));
+        answers.begin_frame(&session);
+        assert!(matches!(answers.progress(), Progress::Complete(_)));
         session.theta_deg += 1.0;
         while {
-            data.ask(
+            answers.ask(
                 &session,
                 &entry,
                 polar::Options::default().request(&session),
             );
-            data.shown() != Some(Detail::Full)
+            answers.shown() != Some(Detail::Full)
         } {
             next();
-            data.begin_frame(&session);
+            answers.begin_frame(&session);
         }
     }
     // It is called off; what is known of it stays, whatever becomes of the material.
-    data.call_off::<Letters>();
+    answers.call_off::<Letters>();
     open.send(()).unwrap();
     session.materials.selected_mut().material = "ward".parse().unwrap();
-    (0..10).for_each(|_| data.begin_frame(&session));
-    let ordered = data.ordered::<Letters>().unwrap();
+    (0..10).for_each(|_| answers.begin_frame(&session));
+    let ordered = answers.ordered::<Letters>().unwrap();
     assert_eq!(ordered.answer.unwrap().as_str(), &title[..2]);
     assert!(!ordered.is_awaited && ordered.surface.material == entry.material);
-    assert!(!data.is_ordered(session.materials.selected(), &query));
+    assert!(!answers.is_ordered(session.materials.selected(), &query));
     // The next one begins anew, and comes to its end.
     let (query, open) = letters();
     (0..title.len()).for_each(|_| open.send(()).unwrap());
-    data.order(&entry, query);
-    while data
+    answers.order(&entry, query);
+    while answers
         .ordered::<Letters>()
         .is_some_and(|ordered| ordered.is_awaited)
     {
         next();
     }
-    let ordered = data.ordered::<Letters>().unwrap();
+    let ordered = answers.ordered::<Letters>().unwrap();
     assert!(ordered.part.is_none() && ordered.answer.unwrap().as_str() == title);
 }
