@@ -108,21 +108,41 @@ impl App {
         self.run(wished, ui.ctx());
     }
 
-    /// The bar at the top: the menu of files, undo and redo, and how values are drawn.
+    /// The bar at the top: the menu of files, the arrangements, and what is of the whole window.
     fn show_top(&mut self, ui: &mut Ui) {
         let mut wished = None;
-        options::headline(ui, |ui| {
+        let has_words = ui.available_width() >= theme::WORDS_WIDTH;
+        let height = theme::TOP_BAR_HEIGHT;
+        let room = egui::vec2(ui.available_width(), height);
+        ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
+            ui.label(RichText::new("BRDF Explorer").heading());
             wished = self.file_menu(ui);
-            let opened = layouts::menu(ui, &mut self.session);
-            self.notice.report(opened);
-            for command in [&commands::UNDO, &commands::REDO, &commands::HELP] {
-                if command.button(ui, self) {
-                    wished = Some(command);
-                }
+            ui.separator();
+            layouts::arrangements(ui, &mut self.session.views, has_words);
+            if commands::FOUR_KINDS.button(ui, self) {
+                wished = Some(&commands::FOUR_KINDS);
             }
+            let opened = layouts::menu(ui, &mut self.session.views, self.room_of_views.into());
+            self.notice.report(opened);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                options::theme_menu(ui);
+                let signs = [
+                    (&commands::PRESENT, "🖵"),
+                    (&commands::HELP, "?"),
+                    (&commands::REDO, "⟳"),
+                    (&commands::UNDO, "⟲"),
+                ];
+                for (command, sign) in signs {
+                    if command.sign_button(ui, self, sign) {
+                        wished = Some(command);
+                    }
+                }
+                if commands::SEARCH.field_button(ui, self) {
+                    wished = Some(&commands::SEARCH);
+                }
+            });
         });
         self.run(wished, ui.ctx());
-        options::show(ui, &mut self.session);
     }
 
     fn run(&mut self, wished: Option<&'static Command>, ctx: &Context) {
@@ -183,7 +203,38 @@ impl App {
                 Outcome::Chosen(command) => command.run_and_say(self, ctx),
             }
         }
+        self.show_first_steps(ctx, views);
         self.said.show(ctx, views);
+    }
+
+    /// The panels about the views. `before`: where the pointer was in the frame before.
+    fn show_panels(&mut self, ui: &mut Ui, before: Option<Cursor>, palette: &Palette) {
+        Panel::top("top").show(ui, |ui| self.show_top(ui));
+        Panel::bottom("status").show(ui, |ui| {
+            let selected = self.session.materials.selected();
+            let shares = self.answers.ask(&self.session, selected, SHARES);
+            // Panels are drawn before the views: the line shows the pointer of the frame before.
+            let value = before.map(|cursor| cursor.value(&self.session, &mut self.answers));
+            status::show(
+                ui,
+                &self.session,
+                before.as_ref().zip(value),
+                &shares,
+                self.answers.progress(),
+                palette,
+            );
+        });
+        self.notice.show(ui);
+        self.show_reading(ui);
+        let saved = self.saved.as_mut();
+        if saved.is_some_and(|saved| !saved.show(ui, &self.pool)) {
+            self.saved = None;
+        }
+        Panel::left("side")
+            .resizable(false)
+            .exact_size(theme::SIDE_WIDTH)
+            .show(ui, |ui| self.show_side(ui, palette));
+        Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -240,36 +291,17 @@ impl eframe::App for App {
         commands::run_pressed(self, ui.ctx());
         self.take_what_comes(ui.ctx());
         self.fetch_data(ui.ctx());
-        Panel::top("top").show(ui, |ui| self.show_top(ui));
-        Panel::bottom("status").show(ui, |ui| {
-            let selected = self.session.materials.selected();
-            let shares = self.answers.ask(&self.session, selected, SHARES);
-            // Panels are drawn before the views: the line shows the pointer of the frame before.
-            let value = before.map(|cursor| cursor.value(&self.session, &mut self.answers));
-            status::show(
-                ui,
-                &self.session,
-                before.as_ref().zip(value),
-                &shares,
-                self.answers.progress(),
-                &palette,
-            );
-        });
-        self.notice.show(ui);
-        self.show_reading(ui);
-        let saved = self.saved.as_mut();
-        if saved.is_some_and(|saved| !saved.show(ui, &self.pool)) {
-            self.saved = None;
+        self.present(ui.ctx());
+        if self.is_presenting() {
+            Panel::bottom("presented").show(ui, |ui| directions::slim(ui, &mut self.session));
+        } else {
+            self.show_panels(ui, before, &palette);
         }
-        Panel::left("side")
-            .resizable(false)
-            .exact_size(theme::SIDE_WIDTH)
-            .show(ui, |ui| self.show_side(ui, &palette));
-        Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
         let views = CentralPanel::no_frame()
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
+        self.room_of_views = views.response.rect.size();
         self.show_windows(ui.ctx(), views.response.rect);
         self.session.keep_allowed(self.history.present());
         self.refuse_what_does_not_fit();

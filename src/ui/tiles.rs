@@ -11,7 +11,7 @@ use egui_tiles::{
 
 use super::theme;
 use bxdf_study::export::{FORMATS, Format};
-use bxdf_study::session::{Layout, Part, Place, ViewId, Views};
+use bxdf_study::session::{LEAST_PLACE, Layout, Part, Place, ViewId, Views};
 use bxdf_study::views::{Options, ViewKind};
 
 /// What is to be made of a view.
@@ -42,6 +42,8 @@ pub type ShowView<'a> = dyn FnMut(&mut Ui, ViewId) + 'a;
 pub struct ViewTiles {
     tree: Tree<ViewId>,
     layout: Layout,
+    /// The view that has all the room, if one has.
+    maximised: Option<ViewId>,
 }
 
 impl Default for ViewTiles {
@@ -50,6 +52,7 @@ impl Default for ViewTiles {
         Self {
             tree: tree_of(&layout),
             layout,
+            maximised: None,
         }
     }
 }
@@ -60,17 +63,27 @@ impl ViewTiles {
         if *views.layout() != self.layout {
             self.layout.clone_from(views.layout());
             self.tree = tree_of(&self.layout);
+            // What was opened or arranged is to be seen.
+            self.maximised = None;
         }
         let mut panes = Panes {
             views,
             show_view,
             is_edited: false,
             wished: None,
+            maximised: self.maximised.filter(|view| views.get(*view).is_some()),
         };
-        self.tree.ui(&mut panes, ui);
+        match panes.maximised {
+            Some(view) => panes.show_maximised(ui, view),
+            None => self.tree.ui(&mut panes, ui),
+        }
         let Panes {
-            is_edited, wished, ..
+            is_edited,
+            wished,
+            maximised,
+            ..
         } = panes;
+        self.maximised = maximised;
         // While a tile is dragged the tree is the library's own affair.
         let root = self.tree.root().filter(|_| is_edited);
         let layout = root.and_then(|root| self.place(root));
@@ -170,6 +183,46 @@ struct Panes<'a, 'b> {
     is_edited: bool,
     /// What is to be made of a view.
     wished: Option<(ViewId, Wish)>,
+    /// The view that has all the room.
+    maximised: Option<ViewId>,
+}
+
+impl Panes<'_, '_> {
+    /// What stands at the right of the bar with a view's name.
+    fn show_menus(&mut self, ui: &mut Ui, view: ViewId) {
+        let (Some(kind), title) = (self.views.kind(view), self.views.title(view)) else {
+            return;
+        };
+        if let Some(wish) = export_menu(ui, kind, &title) {
+            self.wished = Some((view, wish));
+        }
+        let is_maximised = self.maximised == Some(view);
+        let is_several = self.views.ids().len() > 1;
+        if is_several && maximise_button(ui, is_maximised, &title) {
+            self.maximised = (!is_maximised).then_some(view);
+        }
+    }
+
+    /// The view that has all the room, below a bar with its name.
+    fn show_maximised(&mut self, ui: &mut Ui, mut view: ViewId) {
+        let height = theme::TAB_BAR_HEIGHT;
+        let room = egui::vec2(ui.available_width(), height);
+        ui.allocate_ui_with_layout(
+            room,
+            egui::Layout::right_to_left(egui::Align::Center),
+            |ui| {
+                self.show_menus(ui, view);
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let name = egui::Label::new(self.views.title(view)).sense(egui::Sense::click());
+                    if ui.add(name).double_clicked() {
+                        self.maximised = None;
+                    }
+                });
+            },
+        );
+        let no_tile = TileId::from_u64(0);
+        let _ = self.pane_ui(ui, no_tile, &mut view);
+    }
 }
 
 /// What can be done to a view, beside what its place offers. Returns what was chosen.
@@ -193,48 +246,71 @@ fn tab_menu(ui: &mut Ui, views: &Views, view: ViewId) -> Option<Wish> {
     wished
 }
 
-/// What there is to see, and the menu of the files it can be exported to. Returns the one chosen.
-fn caption(ui: &mut Ui, view: &ViewKind, title: &str) -> Option<Wish> {
+/// The menu of what can be exported of a view. Returns what was chosen.
+fn export_menu(ui: &mut Ui, view: &ViewKind, title: &str) -> Option<Wish> {
     let mut wished = None;
-    let width = ui.available_width();
-    let room = egui::vec2(width, ui.spacing().interact_size.y);
-    ui.allocate_ui_with_layout(room, egui::Layout::right_to_left(egui::Align::TOP), |ui| {
-        let menu = ui.menu_button(RichText::new("Export").small(), |ui| {
-            let hint = "Copy the picture that would be exported";
-            if ui.button("Copy picture").on_hover_text(hint).clicked() {
-                wished = Some(Wish::CopyPicture);
+    let menu = ui.menu_button(RichText::new("Export").small(), |ui| {
+        let hint = "Copy the picture that would be exported";
+        if ui.button("Copy picture").on_hover_text(hint).clicked() {
+            wished = Some(Wish::CopyPicture);
+        }
+        for spec in FORMATS.iter().filter(|spec| view.has_file(spec.format)) {
+            let item = ui.button(spec.title);
+            if item.on_hover_text(spec.meaning).clicked() {
+                wished = Some(Wish::Export(spec.format));
             }
-            for spec in FORMATS.iter().filter(|spec| view.has_file(spec.format)) {
-                let item = ui.button(spec.title);
-                if item.on_hover_text(spec.meaning).clicked() {
-                    wished = Some(Wish::Export(spec.format));
-                }
-            }
-        });
-        let name = format!("Export {title}");
-        ui.ctx()
-            .accesskit_node_builder(menu.response.id, |node| node.set_label(name));
-        let what = egui::Label::new(RichText::new(view.what_you_see).small().weak());
-        ui.with_layout(egui::Layout::left_to_right(egui::Align::TOP), |ui| {
-            ui.add(what.wrap());
-        });
+        }
     });
+    let name = format!("Export {title}");
+    ui.ctx()
+        .accesskit_node_builder(menu.response.id, |node| node.set_label(name));
     wished
+}
+
+/// The button that gives a view all the room, or gives it back.
+fn maximise_button(ui: &mut Ui, is_maximised: bool, title: &str) -> bool {
+    let (sign, name, hint) = if is_maximised {
+        (
+            "🗗",
+            "Restore",
+            "Show the other views again (double-click the name)",
+        )
+    } else {
+        (
+            "🗖",
+            "Maximise",
+            "Give this view all the room (double-click the name)",
+        )
+    };
+    let button = ui.small_button(sign).on_hover_text(hint);
+    let name = format!("{name} {title}");
+    ui.ctx()
+        .accesskit_node_builder(button.id, |node| node.set_label(name));
+    button.clicked()
 }
 
 impl Behavior<ViewId> for Panes<'_, '_> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, id: &mut ViewId) -> UiResponse {
-        if let Some(view) = self.views.kind(*id) {
+        if self.views.kind(*id).is_some() {
             egui::Frame::NONE
                 .inner_margin(theme::TILE_MARGIN)
-                .show(ui, |ui| {
-                    if let Some(wish) = caption(ui, view, &self.views.title(*id)) {
-                        self.wished = Some((*id, wish));
-                    }
-                    (self.show_view)(ui, *id);
-                });
+                .show(ui, |ui| (self.show_view)(ui, *id));
         }
         UiResponse::None
+    }
+
+    fn top_bar_right_ui(
+        &mut self,
+        tiles: &Tiles<ViewId>,
+        ui: &mut Ui,
+        _tile: TileId,
+        tabs: &Tabs,
+        _scroll_offset: &mut f32,
+    ) {
+        let active = tabs.active.and_then(|active| tiles.get(active));
+        if let Some(Tile::Pane(view)) = active {
+            self.show_menus(ui, *view);
+        }
     }
 
     fn tab_title_for_pane(&mut self, view: &ViewId) -> WidgetText {
@@ -248,6 +324,9 @@ impl Behavior<ViewId> for Panes<'_, '_> {
         response: egui::Response,
     ) -> egui::Response {
         if let Some(Tile::Pane(view)) = tiles.get(tile) {
+            if response.double_clicked() {
+                self.maximised = Some(*view);
+            }
             response.context_menu(|ui| {
                 if let Some(wish) = tab_menu(ui, self.views, *view) {
                     self.wished = Some((*view, wish));
@@ -277,6 +356,11 @@ impl Behavior<ViewId> for Panes<'_, '_> {
         }
     }
 
+    fn min_size(&self) -> f32 {
+        let [_, height] = LEAST_PLACE;
+        height
+    }
+
     fn tab_bar_height(&self, _style: &egui::Style) -> f32 {
         theme::TAB_BAR_HEIGHT
     }
@@ -294,6 +378,7 @@ mod tests {
             let tiles = ViewTiles {
                 tree: tree_of(&layout),
                 layout: layout.clone(),
+                maximised: None,
             };
             let root = tiles.tree.root().unwrap();
             assert_eq!(tiles.place(root), Some(layout));

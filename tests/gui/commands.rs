@@ -38,7 +38,7 @@ fn single_keys_change_how_things_are_shown() {
         assert_ne!(harness.state().session, before, "{name}");
     }
     let session = &harness.state().session;
-    assert!(session.hold == Hold::Viewer && session.scale.is_logarithmic());
+    assert!(session.hold == Hold::Viewer && session.views.is_logarithmic());
     assert!(session.with_cosine && session.show_geometry && session.curves == Curves::Rgb);
 }
 
@@ -95,7 +95,7 @@ fn keys_run_in_their_order_until_a_text_has_the_focus() {
     harness.step();
     harness.run();
     let session = &harness.state().session;
-    assert!(session.with_cosine && !session.scale.is_logarithmic());
+    assert!(session.with_cosine && !session.views.is_logarithmic());
     let typed = harness.get_by_label("Search materials").value();
     assert_eq!(typed.as_deref(), Some("l"));
 }
@@ -157,7 +157,7 @@ fn a_command_is_searched_and_run() {
     search(&mut harness, "log radius");
     assert!(harness.query_by_label("File: Open…").is_none());
     press(&mut harness, Modifiers::NONE, Key::Enter);
-    assert!(harness.state().session.scale.is_logarithmic());
+    assert!(harness.state().session.views.is_logarithmic());
     assert!(harness.query_by_label("Search all commands").is_none());
     // Down goes to the next one found.
     search(&mut harness, "view");

@@ -14,7 +14,7 @@ use egui::{Event, Key, Modifiers, OutputCommand, ThemePreference};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::{Folder, session, window, window_of};
+use super::{Folder, session, show_decades, window, window_of};
 
 /// What is asked, and what is answered, in this order.
 #[derive(Default)]
@@ -123,13 +123,13 @@ fn a_session_is_saved_and_opened() {
     harness.run_steps(3);
     assert_eq!(read(&path), harness.state().session);
     // It has a file now: nothing is asked.
-    harness.get_by_label("Logarithmic").click();
+    show_decades(&mut harness);
     harness.run();
     press(&mut harness, Modifiers::COMMAND, Key::S);
     assert_eq!(script.borrow().asked.len(), 1);
     assert_eq!(read(&path), harness.state().session);
     // The last good one is kept beside it.
-    assert!(!read(&folder.file("mine.toml.bak")).scale.is_logarithmic());
+    assert!(!read(&folder.file("mine.toml.bak")).views.is_logarithmic());
     let saved = harness.state().session.clone();
 
     let mut other = window("chalk");
@@ -219,7 +219,7 @@ fn the_session_is_restored_at_the_next_start() {
     let folder = Folder::new("restore");
     let mut harness = window("gold");
     work_in(&mut harness, &folder);
-    harness.get_by_label("Logarithmic").click();
+    show_decades(&mut harness);
     harness.run();
     // A moment passes: it is kept without being asked.
     harness.run_steps(8);
@@ -249,7 +249,7 @@ fn the_session_is_restored_at_the_next_start() {
 #[test]
 fn one_text_restores_the_whole_session() {
     let mut harness = window_of(&["gold", "phong"]);
-    harness.get_by_label("Logarithmic").click();
+    show_decades(&mut harness);
     harness.run();
     let copied = harness.state().session.clone();
     harness.get_by_label("File").click();
@@ -293,8 +293,10 @@ fn the_theme_is_the_systems_until_one_is_chosen_and_then_kept() {
     for (name, chosen) in [
         ("Light theme", ThemePreference::Light),
         ("Dark theme", ThemePreference::Dark),
-        ("System theme", ThemePreference::System),
+        ("As the system theme", ThemePreference::System),
     ] {
+        harness.get_by_label("Theme").click();
+        harness.run();
         harness.get_by_label(name).click();
         harness.run();
         let mut other = window_of(&["gold"]);

@@ -11,7 +11,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::typing::{enter, said};
-use super::{material, picture, session};
+use super::{choose, material, picture, session};
 
 const VIEW: &str = "fresnel";
 
@@ -38,13 +38,6 @@ fn texts(harness: &Harness<'_, App>) -> Vec<(String, Rect)> {
 
 fn paints(harness: &Harness<'_, App>, part: &str) -> bool {
     texts(harness).iter().any(|(text, _)| text.contains(part))
-}
-
-fn choose(harness: &mut Harness<'_, App>, name: &str, item: &str) {
-    harness.get_by_role_and_label(Role::ComboBox, name).click();
-    harness.run();
-    harness.get_by_role_and_label(Role::Button, item).click();
-    harness.run();
 }
 
 const GLASS: &str = "fresnel_specular:eta=1.5";

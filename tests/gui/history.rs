@@ -6,7 +6,7 @@ use egui::{Event, Key, Modifiers, Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};
 
-use super::{window, window_of};
+use super::{show_decades, window, window_of};
 
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
@@ -65,11 +65,12 @@ fn every_edit_is_undone_and_done_again_within_a_frame() {
     let mut harness = window_of(&["rough_conductor", "plastic", "rough_conductor"]);
     let mut states = vec![edits(&harness)];
     for gesture in [
+        "Scale of Polar plot",
         "Logarithmic",
         "Viewer",
-        "Surface of lobes",
+        "Surface of 3D lobe",
         "Wire",
-        "Times cos θ",
+        "Times cos θ of Polar plot",
         "Lock Alpha x",
         "Same alpha along s and t",
         "Show Plastic",
@@ -149,7 +150,7 @@ fn a_hundred_edits_are_undone() {
 #[test]
 fn a_text_field_has_its_own_undo() {
     let mut harness = window("rough_conductor");
-    click(&mut harness, "Logarithmic");
+    show_decades(&mut harness);
     click(&mut harness, "Search models");
     harness.get_by_label("Search models").type_text("phong");
     harness.run();

@@ -4,7 +4,9 @@ use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::Quantity;
 use brdf_explorer::study::export::Format;
 use brdf_explorer::study::session::{MAX_VIEWS, Place, READY_LAYOUTS, Session, ViewId};
-use brdf_explorer::study::views::{Options, OwnSection, VIEWS, cartesian, hemisphere, polar};
+use brdf_explorer::study::views::{
+    Options, OwnSection, Scale, VIEWS, cartesian, hemisphere, polar,
+};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::export;
 use brdf_explorer::ui::headless::Picture;
@@ -12,7 +14,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};
 
-use super::{picture, session};
+use super::{choose, picture, session};
 
 const HELD: &str = "Held direction in the polar plot";
 
@@ -42,6 +44,7 @@ fn over(abscissa: Abscissa) -> Options {
 fn section(azimuth: Option<f64>) -> Options {
     let plot = polar::Options {
         own_section_deg: OwnSection(azimuth),
+        ..polar::Options::default()
     };
     plot.into()
 }
@@ -147,16 +150,21 @@ fn two_cartesian_plots_are_set_by_themselves() {
         assert_eq!(places(&harness, Role::Button, title).len(), 1, "{title}");
     }
     // One is set: the other is as it was.
-    let switches = places(&harness, Role::CheckBox, "To the peak");
-    assert_eq!(switches.len(), 2);
-    click_at(&mut harness, switches[1].center(), PointerButton::Primary);
+    choose(
+        &mut harness,
+        "Scale of Cartesian plot 2",
+        "Each to its peak",
+    );
     let [first, second] = &options(&harness)[..] else {
         panic!("two views")
     };
     assert_eq!(*first, over(Abscissa::Free));
     let expected = cartesian::Options {
         abscissa: Abscissa::Half,
-        is_normalised: true,
+        scale: Scale {
+            is_each_to_peak: true,
+            ..Scale::default()
+        },
         ..cartesian::Options::default()
     };
     assert_eq!(*second, expected.into());
@@ -312,6 +320,8 @@ fn no_more_views_are_opened_than_there_may_be() {
     harness.run();
     let add = harness.get_by_label("Add Polar plot");
     assert!(add.accesskit_node().is_disabled());
+    harness.key_press(egui::Key::Escape);
+    harness.run();
     // A ready layout is always open.
     harness.get_by_label("Compare").click();
     harness.run();

@@ -23,7 +23,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::files::{press, read, titles, work_in, work_on};
-use super::{Folder, material, picture, session, window, window_of};
+use super::{Folder, material, picture, session, show_decades, window, window_of};
 
 /// More than reading takes, on any machine.
 const PATIENCE: Duration = Duration::from_mins(2);
@@ -63,7 +63,7 @@ fn where_no_dialog_opens_a_path_is_typed() {
     harness.run();
     // Nothing is asked of dialogs any more. A file that is there is replaced at the second time only.
     let before = fs::read(&path).unwrap();
-    harness.get_by_label("Logarithmic").click();
+    show_decades(&mut harness);
     press(&mut harness, Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     answer(&mut harness, &path);
     assert!(
@@ -187,7 +187,7 @@ fn a_full_disk_is_said_at_once_and_again_at_the_end() {
     };
     let mut harness = window("gold");
     work_on(&mut harness, Arc::new(files), &folder);
-    harness.get_by_label("Logarithmic").click();
+    show_decades(&mut harness);
     harness.run();
     let said = "the session is not kept for the next start";
     let mut delay = Duration::MAX;
@@ -333,7 +333,7 @@ fn a_session_of_a_newer_program_is_told_of_in_lines_and_stays() {
     let kept = folder.file("data/session.toml");
     fs::create_dir_all(folder.file("data")).unwrap();
     let newer = session(&["gold"]).to_toml().unwrap();
-    let newer = newer.replace("version = 2", "version = 3");
+    let newer = newer.replace("version = 3", "version = 4");
     fs::write(&kept, &newer).unwrap();
     let mut harness = window("gold");
     work_in(&mut harness, &folder);
@@ -347,7 +347,7 @@ fn a_session_of_a_newer_program_is_told_of_in_lines_and_stays() {
     assert!(heights.is_sorted() && heights[0] > 690.0, "{heights:?}");
     harness.run_steps(12);
     assert_eq!(fs::read_to_string(&kept).unwrap(), newer);
-    harness.get_by_label("Logarithmic").click();
+    show_decades(&mut harness);
     harness.run_steps(12);
     let aside = folder.file("data/session.toml.unreadable-1");
     assert_eq!(fs::read_to_string(aside).unwrap(), newer);

@@ -46,7 +46,7 @@ use brdf_explorer::study::session::{Materials, Session};
 use brdf_explorer::study::views::{self as all_views, tradeoff};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::Picture;
-use egui::Theme;
+use egui::{Role, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -103,6 +103,19 @@ fn measure_tradeoff(harness: &mut Harness<'_, App>) {
         button.click();
         harness.run();
     }
+}
+
+/// Chooses `item` in the drop-down `name`.
+fn choose(harness: &mut Harness<'_, App>, name: &str, item: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, name).click();
+    harness.run();
+    harness.get_by_role_and_label(Role::Button, item).click();
+    harness.run();
+}
+
+/// An edit of what is shown.
+fn show_decades(harness: &mut Harness<'_, App>) {
+    choose(harness, "Scale of Polar plot", "Logarithmic");
 }
 
 /// The window showing `session`, or its first view of a kind alone, settled.

@@ -342,7 +342,7 @@ fn every_number_of_the_panels_is_typed() {
         ..session(&["ward"])
     };
     let show = |ui: &mut Ui, session: &mut Session| {
-        options::show(ui, session);
+        options::section(ui, session);
         directions::show(ui, session);
     };
     let size = vec2(1280.0, 300.0);

@@ -6,7 +6,7 @@ use egui::{Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};
 
-use super::{window, window_of};
+use super::{choose, window, window_of};
 
 const THREE: [&str; 3] = ["rough_conductor", "plastic", "oren_nayar"];
 
@@ -41,29 +41,21 @@ fn the_legend_of_each_view_names_and_selects() {
     assert!(single.query_by_label_contains("Legend").is_none());
 }
 
+/// The choice of the curves.
+const CURVES: &str = "Curves of Polar plot";
+
 #[test]
 fn channels_are_told_apart_where_one_material_is_shown() {
     let mut harness = window("rough_conductor");
-    harness.get_by_label("R, G, B").click();
-    harness.run();
+    choose(&mut harness, CURVES, "R, G, B");
     let added = "plastic".parse().unwrap();
     harness.state_mut().session.materials.add(added).unwrap();
     harness.run();
-    assert!(
-        harness
-            .get_by_label("R, G, B")
-            .accesskit_node()
-            .is_disabled()
-    );
+    assert!(harness.get_by_label(CURVES).accesskit_node().is_disabled());
     let first = materials(&harness).iter().next().unwrap().id();
     harness.state_mut().session.materials.set_solo(Some(first));
     harness.run();
-    assert!(
-        !harness
-            .get_by_label("R, G, B")
-            .accesskit_node()
-            .is_disabled()
-    );
+    assert!(!harness.get_by_label(CURVES).accesskit_node().is_disabled());
 }
 
 #[test]
@@ -107,10 +99,7 @@ fn lobes_are_drawn_as_chosen() {
         ("Translucent", LobeSurface::Translucent),
         ("Solid", LobeSurface::Solid),
     ] {
-        harness.get_by_label("Surface of lobes").click();
-        harness.run();
-        harness.get_by_label(label).click();
-        harness.run();
+        choose(&mut harness, "Surface of 3D lobe", label);
         assert_eq!(harness.state().session.lobe_surface, surface);
         pictures.push(harness.render().unwrap());
     }

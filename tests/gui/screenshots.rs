@@ -58,7 +58,7 @@ const WINDOWS: [Window; 6] = [
     ("three", &THREE, 0, [1280, 800], 1.0),
     ("eight", &EIGHT, 0, [1024, 640], 2.0),
     ("compare", &COMPARED, 1, [1024, 640], 1.0),
-    ("tradeoff", &["gold"], 3, [1280, 800], 1.0),
+    ("tradeoff", &["gold"], 4, [1280, 800], 1.0),
 ];
 
 /// The limit on the stored pictures, all together.

@@ -48,7 +48,7 @@ fn no_option_of_a_stored_session_is_lost() {
     for name in ["every_option", "closed_views"] {
         let views = session(name).views;
         let cartesian: cartesian::Options = views.options();
-        assert!(cartesian.fixed_deg == 42.5 && cartesian.is_normalised);
+        assert!(cartesian.fixed_deg == 42.5 && cartesian.scale.is_each_to_peak);
         let hemisphere: hemisphere::Options = views.options();
         assert!(!hemisphere.has_contours && !hemisphere.is_logarithmic);
         let reflectance: reflectance::Options = views.options();
@@ -67,7 +67,7 @@ fn no_option_of_a_stored_session_is_lost() {
         assert_eq!((&*stability.x, &*stability.trial), ("theta_o", "gtr1"));
     }
     let by_hand: cartesian::Options = session("by_hand").views.options();
-    assert!(by_hand.is_logarithmic);
+    assert!(by_hand.scale.lengths.is_logarithmic());
 }
 
 #[test]

@@ -13,7 +13,7 @@ use brdf_explorer::analysis::hemisphere::Quantity;
 use brdf_explorer::study::export::Format;
 use brdf_explorer::study::session::Session;
 use brdf_explorer::study::views::{
-    TableKind, VIEWS, ViewKind, cartesian, hemisphere, sampling, slice,
+    TableKind, VIEWS, ViewKind, cartesian, hemisphere, lobe3d, polar, sampling, slice,
 };
 use brdf_explorer::ui::export;
 use egui::Theme;
@@ -182,11 +182,17 @@ fn views_without_the_cosine_stay_as_they_are() {
 fn decades_are_written_as_linear_values_and_say_so() {
     type Set = fn(&mut Session, bool);
     let cases: [(&str, Set); 5] = [
-        ("polar", |shown, is| shown.set_logarithmic(is)),
-        ("lobe3d", |shown, is| shown.set_logarithmic(is)),
+        ("polar", |shown, is| {
+            let views = &mut shown.views;
+            views.each(|plot: &mut polar::Options| plot.scale.set_logarithmic(is));
+        }),
+        ("lobe3d", |shown, is| {
+            let views = &mut shown.views;
+            views.each(|lobe: &mut lobe3d::Options| lobe.scale.set_logarithmic(is));
+        }),
         ("cartesian", |shown, is| {
             let views = &mut shown.views;
-            views.each(|plot: &mut cartesian::Options| plot.is_logarithmic = is);
+            views.each(|plot: &mut cartesian::Options| plot.scale.set_logarithmic(is));
         }),
         ("hemisphere", |shown, is| {
             let views = &mut shown.views;
@@ -217,7 +223,7 @@ fn decades_are_written_as_linear_values_and_say_so() {
 fn what_is_divided_or_taken_off_is_named() {
     let mut shown = shown();
     let set = |shown: &mut Session, set: fn(&mut cartesian::Options)| shown.views.each(set);
-    set(&mut shown, |plot| plot.is_normalised = true);
+    set(&mut shown, |plot| plot.scale.is_each_to_peak = true);
     let table = Table::of(&shown, "cartesian");
     for name in ["f_over_peak_r", "f_over_peak_luminance"] {
         let values = table.column(name).into_iter();
@@ -228,7 +234,7 @@ fn what_is_divided_or_taken_off_is_named() {
     let first = shown.materials.iter().next().unwrap().id();
     shown.materials.compare_with(first);
     set(&mut shown, |plot| {
-        (plot.is_normalised, plot.is_residual) = (false, true);
+        (plot.scale.is_each_to_peak, plot.is_residual) = (false, true);
     });
     let table = Table::of(&shown, "cartesian");
     assert!(table.header.contains(&"f_difference_r (1/sr)".to_owned()));

@@ -17,19 +17,17 @@ fn layout(harness: &Harness<'_, App>) -> Vec<&'static str> {
 #[test]
 fn ready_layouts_are_a_click_away_and_undone() {
     let mut harness = window("rough_conductor");
-    assert_eq!(layout(&harness), ["polar", "lobe3d"]);
-    harness.get_by_label("Views").click();
-    harness.run();
+    assert_eq!(layout(&harness), ["lobe3d", "polar"]);
     harness.get_by_label("Compare").click();
     harness.run();
-    assert_eq!(layout(&harness), ["polar", "lobe3d", "inspector"]);
+    assert_eq!(layout(&harness), ["lobe3d", "polar", "inspector"]);
     assert!(
         harness.query_by_label("Copy").is_some(),
         "the inspector is seen"
     );
     harness.get_by_label("Undo").click();
     harness.run();
-    assert_eq!(layout(&harness), ["polar", "lobe3d"]);
+    assert_eq!(layout(&harness), ["lobe3d", "polar"]);
 }
 
 #[test]
@@ -38,16 +36,50 @@ fn views_are_closed_and_added() {
     let close = harness.query_all_by_label("Close").next().unwrap();
     close.click();
     harness.run();
-    assert_eq!(layout(&harness), ["lobe3d"]);
+    assert_eq!(layout(&harness), ["polar"]);
     assert!(
         harness.query_by_label("Close").is_none(),
         "the last view stays"
     );
     harness.get_by_label("Views").click();
     harness.run();
-    harness.get_by_label("Add Polar plot").click();
+    harness.get_by_label("Add 3D lobe").click();
     harness.run();
-    assert_eq!(layout(&harness), ["lobe3d", "polar"]);
+    assert_eq!(layout(&harness), ["polar", "lobe3d"]);
+}
+
+#[test]
+fn a_view_gets_all_the_room_and_gives_it_back() {
+    let mut harness = window("rough_conductor");
+    let canvas = |harness: &Harness<'_, App>, name| {
+        let found = harness
+            .query_all_by_role_and_label(Role::Canvas, name)
+            .next();
+        found.map(|node| node.rect().width())
+    };
+    let before = canvas(&harness, "3D lobe").unwrap();
+    harness.get_by_label("Maximise 3D lobe").click();
+    harness.run();
+    assert!(canvas(&harness, "3D lobe").unwrap() > 1.4 * before);
+    assert!(harness.query_by_label("Scale of Polar plot").is_none());
+    harness.get_by_label("Restore 3D lobe").click();
+    harness.run();
+    assert_eq!(canvas(&harness, "3D lobe"), Some(before));
+    // By a double click on the name, too; what is opened is to be seen.
+    let name = harness.get_by_role_and_label(Role::Button, "3D lobe");
+    let name = name.rect().center();
+    for _ in 0..2 {
+        harness.drag_at(name);
+        harness.drop_at(name);
+    }
+    harness.run();
+    assert!(canvas(&harness, "3D lobe").unwrap() > 1.4 * before);
+    harness.get_by_label("Views").click();
+    harness.run();
+    harness.get_by_label("Add Slice").click();
+    harness.run();
+    assert!(harness.query_by_label("Scale of Polar plot").is_some());
+    assert_eq!(layout(&harness).len(), 3);
 }
 
 #[test]
@@ -82,8 +114,6 @@ fn a_dragged_tab_makes_tabs_of_two_views() {
 #[test]
 fn the_inspector_reads_every_material_at_the_one_cursor() {
     let mut harness = window_of(&["lambertian_reflection:reflectance=0.5", "rough_conductor"]);
-    harness.get_by_label("Views").click();
-    harness.run();
     harness.get_by_label("Compare").click();
     harness.run();
     // 0.5 / pi in each channel, whatever the direction.

@@ -4,15 +4,15 @@ use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::analysis::hemisphere::Comparison;
 use brdf_explorer::study::session::Session;
 use brdf_explorer::study::views::{
-    Deltas, OfKind, VIEWS, cartesian, hemisphere, reflectance, sampling, sphere, stability,
-    tradeoff,
+    Deltas, OfKind, ScaleChoice, VIEWS, cartesian, hemisphere, reflectance, sampling, sphere,
+    stability, tradeoff,
 };
 use brdf_explorer::ui::app::App;
 use egui::{Pos2, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::{measure_tradeoff, picture, session};
+use super::{choose, measure_tradeoff, picture, session};
 
 const SIZE: [u32; 2] = [640, 480];
 
@@ -29,14 +29,6 @@ fn options<T: OfKind>(harness: &Harness<'_, App>) -> T {
 
 fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.get_by_label(label).click();
-    harness.run();
-}
-
-/// Chooses `item` in the drop-down `name`.
-fn choose(harness: &mut Harness<'_, App>, name: &str, item: &str) {
-    harness.get_by_role_and_label(Role::ComboBox, name).click();
-    harness.run();
-    harness.get_by_role_and_label(Role::Button, item).click();
     harness.run();
 }
 
@@ -100,11 +92,16 @@ fn the_cartesian_plot_changes_its_angle_and_compares() {
         options::<cartesian::Options>(&harness).abscissa,
         Abscissa::Half
     );
-    click(&mut harness, "By decades");
-    click(&mut harness, "To the peak");
-    click(&mut harness, "Residual");
-    let options: cartesian::Options = options(&harness);
-    assert!(options.is_logarithmic && options.is_normalised && options.is_residual);
+    let scale = "Scale of Cartesian plot";
+    choose(&mut harness, scale, "Each to its peak");
+    let chosen: cartesian::Options = options(&harness);
+    assert_eq!(chosen.scale.choice(), ScaleChoice::EachToPeak);
+    choose(&mut harness, scale, "Logarithmic");
+    click(&mut harness, "To each peak");
+    click(&mut harness, "Difference");
+    let chosen: cartesian::Options = options(&harness);
+    assert_eq!(chosen.scale.choice(), ScaleChoice::Logarithmic);
+    assert!(chosen.scale.is_each_to_peak && chosen.is_residual);
     choose(&mut harness, "Reference", "Plastic");
     let materials = &harness.state().session.materials;
     assert_eq!(materials.title(materials.reference()), "Plastic");

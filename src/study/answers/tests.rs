@@ -18,7 +18,11 @@ fn views_that_ask_the_same_have_one_answer_and_else_each_its_own() {
         let asked = [0, 1].map(|index| {
             answers.asked_by(Some(views[index]));
             let own_section_deg = OwnSection(Some(azimuths[index]));
-            let request = polar::Options { own_section_deg }.request(&session);
+            let request = polar::Options {
+                own_section_deg,
+                ..polar::Options::default()
+            }
+            .request(&session);
             answers.ask(&session, session.materials.selected(), request)
         });
         answers.asked_by(None);

@@ -188,6 +188,7 @@ fn view(start: usize, end: usize) -> Value {
 mod tests {
     use super::*;
     use crate::session::Session;
+    use crate::views::Scale;
 
     fn lobe() -> Named {
         let vertex = |direction, value| Vertex {
@@ -207,7 +208,7 @@ mod tests {
                 ..Mesh::default()
             }),
             with_cosine: false,
-            names: Names::of_lobe(&Session::default()),
+            names: Names::of_lobe(&Session::default(), Scale::default()),
             deltas: Arc::default(),
         }
     }

@@ -72,13 +72,14 @@ fn numbers(session: &Session, options: Option<&Options>) -> Result<Vec<u8>> {
 /// The lobes of the materials shown, each with its colour.
 fn lobes(session: &Session, theme: Theme) -> Result<Vec<mesh::Named>> {
     let mut answers = Answers::at_once();
-    let request = lobe3d::request(session);
+    let options: lobe3d::Options = session.views.options();
+    let request = options.request(session);
     let named = session.materials.shown().map(|entry| mesh::Named {
         name: session.materials.title(entry),
         color: linear(material_color(theme, entry.slot())),
         mesh: answers.ask(session, entry, request),
         with_cosine: session.with_cosine,
-        names: names::Names::of_lobe(session),
+        names: names::Names::of_lobe(session, options.scale),
         deltas: answers.ask(session, entry, Arrows),
     });
     let lobes: Vec<mesh::Named> = named.collect();

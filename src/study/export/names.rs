@@ -6,6 +6,7 @@
 //! its row.
 
 use crate::session::Session;
+use crate::views::Scale;
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::hemisphere::Quantity;
 
@@ -42,13 +43,10 @@ impl Names {
 
     /// Of the polar plot and the 3D lobe.
     #[must_use]
-    pub fn of_lobe(session: &Session) -> Self {
+    pub fn of_lobe(session: &Session, scale: Scale) -> Self {
         let quantity = Quantity::of_f(session.with_cosine);
-        Self::new(
-            quantity.id(),
-            quantity.unit(),
-            session.scale.is_logarithmic(),
-        )
+        let is_logarithmic = scale.lengths.is_logarithmic();
+        Self::new(quantity.id(), quantity.unit(), is_logarithmic)
     }
 
     /// The name of the column of a channel.

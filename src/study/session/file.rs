@@ -9,13 +9,16 @@ use toml::{Spanned, Table, Value};
 use super::Session;
 use super::layout::Place;
 use super::stored_views::{self, Written};
+use crate::views::Scale;
 use bxdf::error::{Error, Result};
+use bxdf_lab::analysis::RadialScale;
 
 /// The version of the file. It grows when an older program would read a newer file as something else.
 ///
-/// In version 1 the views of the layout were ids, and the options of all kinds stood under `views`. Both versions are read by
-/// the same reader, and so are files without one.
-pub const VERSION: u64 = 2;
+/// In version 1 the views of the layout were ids, and the options of all kinds stood under `views`. Up to version 2 one key
+/// `scale` said how polar plots and lobes turn values into radii; since then each view does. All versions are read by the same
+/// reader, and so are files without one.
+pub const VERSION: u64 = 3;
 
 /// The first line of what is written.
 const HEADER: &str = "# BRDF Explorer session";
@@ -61,11 +64,15 @@ impl Session {
         let layout: Option<Place<Spanned<Value>>> = taken(table, "layout").map_err(refused)?;
         let closed: Option<BTreeMap<String, Spanned<Table>>> =
             taken(table, "views").map_err(refused)?;
+        let scale: Option<RadialScale> = taken(table, "scale").map_err(refused)?;
         let mut session = Self::deserialize(Deserializer::from(document)).map_err(refused)?;
         let views = stored_views::read(layout, closed.unwrap_or_default());
         let (views, left_out) =
             views.map_err(|(start, problem)| Error::parse(located(text, place, start), problem))?;
         session.views = views;
+        if let Some(lengths) = scale {
+            session.views.scale_radii(Scale::of(lengths));
+        }
         let numbers = session.check_numbers();
         numbers.map_err(|problem| Error::parse(place, problem))?;
         let left_out = left_out.iter().map(|line| format!("{place}: {line}"));
@@ -145,20 +152,54 @@ fn located(text: &str, place: &str, start: usize) -> String {
 mod tests {
     use super::*;
     use crate::session::Materials;
-    use bxdf_lab::analysis::{Hold, RadialScale};
+    use crate::views::{DECADES, cartesian, lobe3d, polar};
+    use bxdf_lab::analysis::Hold;
 
     #[test]
     fn toml_round_trips() {
         let session = Session {
             materials: Materials::of("oren_nayar:sigma=35".parse().unwrap()),
             hold: Hold::Viewer,
-            scale: RadialScale::Logarithmic { decades: 3.0 },
             section_phi_deg: Some(30.0),
             ..Session::default()
         };
         let text = session.to_toml().unwrap();
         assert_eq!(Session::from_toml(&text, "test").unwrap(), session);
         assert_eq!(Session::from_toml("", "test").unwrap(), Session::default());
+    }
+
+    /// What older programs wrote, and hands may write.
+    #[test]
+    fn one_scale_is_that_of_every_polar_plot_and_lobe() {
+        let own = "{ kind = \"polar\", scale.is_each_to_peak = true }";
+        let plots = format!("[{own}, \"polar\", \"lobe3d\", \"cartesian\"]");
+        let text = format!(
+            "scale.logarithmic.decades = 3.0\nlayout.tabs.views = {plots}\n[views.cartesian]\nis_logarithmic = true\nis_normalised = true"
+        );
+        let views = Session::from_toml(&text, "s").unwrap().views;
+        let by_decades = |decades| Scale::of(RadialScale::Logarithmic { decades });
+        let scales = views
+            .all::<polar::Options>()
+            .into_iter()
+            .map(|plot| plot.scale);
+        let own = Scale {
+            is_each_to_peak: true,
+            ..Scale::default()
+        };
+        assert!(scales.eq([own, by_decades(3.0)]));
+        assert_eq!(views.options::<lobe3d::Options>().scale, by_decades(3.0));
+        let cartesian = views.options::<cartesian::Options>().scale;
+        let expected = Scale {
+            is_each_to_peak: true,
+            ..by_decades(DECADES)
+        };
+        assert_eq!(cartesian, expected);
+        // It stays as it is written again.
+        let mut session = Session::from_toml(&text, "s").unwrap();
+        session.views.each_scale(|scale| scale.lock(Some(0.5)));
+        let again = session.to_toml().unwrap();
+        assert!(!again.contains("\nscale") && again.contains("locked_at = 0.5"));
+        assert_eq!(Session::from_toml(&again, "again").unwrap(), session);
     }
 
     #[test]
@@ -196,12 +237,12 @@ mod tests {
                 "{part}"
             );
         }
-        let newer = text.replace("version = 2", "flavour = 3\nversion = 3");
+        let newer = text.replace("version = 3", "flavour = 3\nversion = 4");
         let line = Session::from_toml(&newer, "s.toml")
             .unwrap_err()
             .to_string();
         assert!(
-            line.starts_with("s.toml: a session of version 3;"),
+            line.starts_with("s.toml: a session of version 4;"),
             "{line}"
         );
         assert!(Session::from_toml("version = \"x\"", "s").is_err());

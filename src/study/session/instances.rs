@@ -8,6 +8,8 @@ use crate::number::{are_allowed, checked, keep};
 use crate::views::{OfKind, Options, ViewKind, find};
 use bxdf::error::{Error, Result};
 
+mod alike;
+
 /// The most views of a session: more are too small to be seen.
 pub const MAX_VIEWS: usize = 32;
 
@@ -262,12 +264,14 @@ impl Views {
         self.open.len() < MAX_VIEWS
     }
 
-    /// Opens a view of this kind beside the others: as the one closed last was, or like one that is open.
+    /// Opens a view of this kind where there is most room, in a window with this room for views: as the one closed last was,
+    /// or like one that is open.
     ///
     /// # Errors
     /// [`Error::Limit`] where there are too many.
-    pub fn add(&mut self, kind: &ViewKind) -> Result<ViewId> {
-        let layout = self.layout.clone().with(self.unused());
+    pub fn add(&mut self, kind: &ViewKind, room: [f32; 2]) -> Result<ViewId> {
+        let mut layout = self.layout.clone();
+        layout.put_into_largest(self.unused(), room);
         require_readable(&layout)?;
         let options = self.take(kind);
         Ok(self.opened(layout, options))

@@ -3,6 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::numbers::SHARE;
+pub use room::LEAST_PLACE;
+
+mod room;
 
 /// What tells a view of a session from the others, whatever becomes of its place. It is given when the view is opened or
 /// read, and stands in no file.

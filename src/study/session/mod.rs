@@ -8,12 +8,13 @@ use serde::{Deserialize, Serialize};
 use super::number::NumberSpec;
 use bxdf::math::frame;
 use bxdf::{Material, Side, models};
-use bxdf_lab::analysis::{Channel, Hold, RadialScale};
+use bxdf_lab::analysis::{Channel, Hold};
 
 pub mod camera;
 mod data;
 mod entry;
 mod file;
+mod four_kinds;
 mod instances;
 mod layout;
 mod materials;
@@ -31,7 +32,7 @@ pub use camera::{HomeView, OrbitCamera};
 pub use entry::{EntryId, MaterialEntry, PaletteIndex};
 pub use file::{Read, VERSION};
 pub use instances::{MAX_VIEWS, Views};
-pub use layout::{Layout, Part, Place, ViewId};
+pub use layout::{LEAST_PLACE, Layout, Part, Place, ViewId};
 pub use materials::{MAX_MATERIALS, Materials};
 pub(crate) use numbers::azimuth;
 pub use numbers::{PHI, ROTATION, SECTION_PHI, THETA};
@@ -77,9 +78,6 @@ pub enum LobeSurface {
     Translucent,
 }
 
-/// How many decades a logarithmic scale shows.
-pub const DECADES: f64 = 4.0;
-
 /// What is on the screen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -102,8 +100,6 @@ pub struct Session {
     /// Azimuth of the section that views share, in degrees; the plane of incidence if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub section_phi_deg: Option<f64>,
-    /// The radial scale of both views.
-    pub scale: RadialScale,
     /// The curves of the polar plot, where it shows one material: several have their luminance drawn.
     pub curves: Curves,
     /// Whether values carry |cos(theta)| of the free direction.
@@ -131,7 +127,6 @@ impl Default for Session {
             phi_deg: 180.0,
             rotation_deg: 0.0,
             section_phi_deg: None,
-            scale: RadialScale::Linear,
             curves: Curves::Luminance,
             with_cosine: false,
             lobe_surface: LobeSurface::Automatic,
@@ -214,15 +209,6 @@ impl Session {
     #[must_use]
     pub fn on_surface(&self, w: DVec3) -> DVec3 {
         frame::turned_about_normal(w, self.rotation_deg.to_radians())
-    }
-
-    /// Shows lengths by decades, or in proportion.
-    pub fn set_logarithmic(&mut self, is_logarithmic: bool) {
-        self.scale = if is_logarithmic {
-            RadialScale::Logarithmic { decades: DECADES }
-        } else {
-            RadialScale::Linear
-        };
     }
 
     /// Whether the views show what is below the surface: where light can cross it, or comes from below.

@@ -2,7 +2,6 @@
 
 use super::{Session, folded_deg, wrapped_deg};
 use crate::number::{NumberSpec, Numbers, are_allowed, checked, keep};
-use bxdf_lab::analysis::RadialScale;
 
 /// An angle of a full turn, stored within half a turn either way.
 pub(crate) const fn azimuth(name: &'static str) -> NumberSpec {
@@ -21,8 +20,6 @@ pub static ROTATION: NumberSpec = azimuth("rotation_deg");
 pub static SECTION_PHI: NumberSpec = NumberSpec::new("section_phi_deg", [-360.0, 360.0])
     .unit("degrees")
     .folded([-90.0, 90.0], folded_deg);
-/// The decades of a logarithmic radius: beyond 16 a double has no digits left to show.
-static DECADES: NumberSpec = NumberSpec::new("scale.logarithmic.decades", [1.0, 16.0]);
 /// The share of a part of a row or a column: beyond this one neighbour is thinner than a line of any screen.
 pub(super) static SHARE: NumberSpec = NumberSpec::new("share", [1e-4, 1e4]);
 
@@ -35,9 +32,6 @@ impl Session {
             (&ROTATION, &mut self.rotation_deg),
         ];
         all.extend(self.section_phi_deg.as_mut().map(|phi| (&SECTION_PHI, phi)));
-        if let RadialScale::Logarithmic { decades } = &mut self.scale {
-            all.push((&DECADES, decades));
-        }
         all
     }
 
@@ -72,13 +66,16 @@ mod tests {
     fn full() -> Session {
         let mut session = Session {
             section_phi_deg: Some(30.0),
-            scale: RadialScale::Logarithmic { decades: 4.0 },
             ..Session::default()
         };
         let options = VIEWS.iter().map(|kind| {
             let mut options = Options::of(kind);
             if let Some(section) = options.own_section() {
                 *section = OwnSection(Some(20.0));
+            }
+            if let Some(scale) = options.radial_scale() {
+                scale.set_logarithmic(true);
+                scale.lock(Some(2.0));
             }
             options
         });
@@ -132,6 +129,8 @@ mod tests {
             "layout.column.0.place.view.own_section_deg",
             "camera.yaw",
             "section_phi_deg",
+            "layout.column.0.place.view.scale.locked_at",
+            "layout.column.1.place.view.scale.lengths.logarithmic.decades",
         ] {
             assert!(names.iter().any(|name| name == expected), "{names:?}");
         }

@@ -1,29 +1,38 @@
-//! Layouts that are ready to be shown.
+//! Arrangements of views that are ready to be shown.
 
 use super::layout::{Part, Place};
 
-/// A ready layout.
+/// A ready arrangement.
 pub struct ReadyLayout {
     /// Its name at the screen.
     pub name: &'static str,
+    /// A sign that stands for it.
+    pub icon: &'static str,
     /// What it is good for.
     pub meaning: &'static str,
     /// Where views stand in it, by the ids of their kinds.
     pub layout: fn() -> Place<&'static str>,
 }
 
-/// The ready layouts, in the order of the menu; the first one is that of the start.
-pub static READY_LAYOUTS: [ReadyLayout; 6] = [
+/// The ready arrangements, in the order of the window; the first one is that of the start.
+pub static READY_LAYOUTS: [ReadyLayout; 5] = [
     ReadyLayout {
-        name: "Teach",
-        meaning: "Section and lobe side by side, as large as possible: for projecting to a class",
-        layout: || Place::row(vec![Place::View("polar"), Place::View("lobe3d")]),
+        name: "Look",
+        icon: "👁",
+        meaning: "The lobe, large, with its section beside it",
+        layout: || {
+            Place::Row(vec![
+                Part::of(1.5, Place::View("lobe3d")),
+                Part::of(1.0, Place::View("polar")),
+            ])
+        },
     },
     ReadyLayout {
         name: "Compare",
-        meaning: "Section and lobe above the inspector, which gives every material's numbers at the cursor",
+        icon: "⚖",
+        meaning: "Lobe and section above the inspector, which gives every material's numbers at the cursor",
         layout: || {
-            let above = Place::row(vec![Place::View("polar"), Place::View("lobe3d")]);
+            let above = Place::row(vec![Place::View("lobe3d"), Place::View("polar")]);
             Place::Column(vec![
                 Part::of(1.6, above),
                 Part::of(1.0, Place::View("inspector")),
@@ -32,30 +41,25 @@ pub static READY_LAYOUTS: [ReadyLayout; 6] = [
     },
     ReadyLayout {
         name: "Reflectance",
-        meaning: "How much light leaves, how it looks on a body, and what it is made of",
+        icon: "☀",
+        meaning: "How much light leaves, the integral behind it, how it looks on a body, and what it is made of",
         layout: || {
+            let parts = vec!["decomposition", "fresnel", "slice"];
             Place::row(vec![
+                Place::column(vec![Place::View("reflectance"), Place::View("integral")]),
                 Place::column(vec![
-                    Place::View("reflectance"),
-                    Place::View("decomposition"),
+                    Place::View("sphere"),
+                    Place::Tabs {
+                        views: parts,
+                        active: 0,
+                    },
                 ]),
-                Place::column(vec![Place::View("sphere"), Place::View("slice")]),
-            ])
-        },
-    },
-    ReadyLayout {
-        name: "Trade-off",
-        meaning: "What accuracy costs, and where the cheaper choice goes wrong",
-        layout: || {
-            let beside = Place::column(vec![Place::View("hemisphere"), Place::View("polar")]);
-            Place::Row(vec![
-                Part::of(2.0, Place::View("tradeoff")),
-                Part::of(1.0, beside),
             ])
         },
     },
     ReadyLayout {
         name: "Sampling",
+        icon: "🎲",
         meaning: "Where the sampler sends directions, beside the density and the value it should follow",
         layout: || {
             Place::row(vec![
@@ -65,16 +69,16 @@ pub static READY_LAYOUTS: [ReadyLayout; 6] = [
         },
     },
     ReadyLayout {
-        name: "Stability",
-        meaning: "Where f32 and f64 lose digits, and the lobe there",
+        name: "Numerics",
+        icon: "🔬",
+        meaning: "What accuracy costs, where f32 and f64 lose digits, and the lobe there",
         layout: || {
-            Place::Column(vec![
-                Part::of(1.6, Place::View("stability")),
-                Part::of(
-                    1.0,
-                    Place::row(vec![Place::View("polar"), Place::View("hemisphere")]),
-                ),
-            ])
+            let labs = Place::Tabs {
+                views: vec!["tradeoff", "stability"],
+                active: 0,
+            };
+            let beside = Place::column(vec![Place::View("hemisphere"), Place::View("polar")]);
+            Place::Row(vec![Part::of(2.0, labs), Part::of(1.0, beside)])
         },
     },
 ];

@@ -196,6 +196,7 @@ mod tests {
     fn instances_come_back_as_they_were() {
         let own = |azimuth| polar::Options {
             own_section_deg: OwnSection(azimuth),
+            ..polar::Options::default()
         };
         let half = cartesian::Options {
             is_residual: true,
@@ -225,7 +226,7 @@ mod tests {
         assert_eq!(read(&text).session, session, "{text}");
         assert!(read(&text).left_out.is_empty());
         // An older program says that it needs a newer one, whatever it makes of the rest.
-        assert!(text.contains("\nversion = 2\n"));
+        assert!(text.contains("\nversion = 3\n"));
     }
 
     #[test]
@@ -238,7 +239,7 @@ mod tests {
             phi_d_deg = 30.0
             [views.sphere]
             exposure = 0.0";
-        for version in ["", "version = 1\n", "version = 2\n"] {
+        for version in ["", "version = 1\n", "version = 2\n", "version = 3\n"] {
             let views = read(&format!("{version}{text}")).session.views;
             assert_eq!(kinds(&views), ["cartesian", "cartesian", "polar"]);
             let plots = views.all::<cartesian::Options>();
@@ -280,7 +281,7 @@ mod tests {
         assert_eq!(left_out[8], "s.toml: 992 more of the kind");
         // Where nothing is left, the start is shown.
         let read = read("layout.view = \"pola\"\n[views.polar]\nown_section_deg = 20.0");
-        assert_eq!(kinds(&read.session.views), ["polar", "lobe3d"]);
+        assert_eq!(kinds(&read.session.views), ["lobe3d", "polar"]);
         let own = read
             .session
             .views

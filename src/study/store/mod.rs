@@ -41,6 +41,8 @@ struct Preferences {
     folder: Option<PathBuf>,
     /// The theme; the system's where none is chosen.
     theme: Option<Theme>,
+    /// Whether the first steps were done or left.
+    has_seen_first_steps: bool,
 }
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
@@ -204,6 +206,21 @@ impl Store {
     pub fn keep_theme(&mut self, theme: Option<Theme>) {
         if self.preferences.theme != theme {
             self.preferences.theme = theme;
+            self.keep_preferences();
+        }
+    }
+
+    /// Whether the first steps were done or left in any run.
+    #[must_use]
+    pub fn has_seen_first_steps(&self) -> bool {
+        // Where nothing is kept they would come again and again.
+        self.folder.is_none() || self.preferences.has_seen_first_steps
+    }
+
+    /// Keeps that the first steps were done or left.
+    pub fn keep_first_steps_seen(&mut self) {
+        if !self.preferences.has_seen_first_steps {
+            self.preferences.has_seen_first_steps = true;
             self.keep_preferences();
         }
     }

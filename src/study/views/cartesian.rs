@@ -3,12 +3,13 @@
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::scale::Scale;
 use super::section::OwnSection;
 use crate::answers::Answers;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, shown};
 use crate::number::{NumberSpec, Numbers};
-use crate::session::{DECADES, Session};
+use crate::session::Session;
 use bxdf_lab::analysis::RadialScale;
 use bxdf_lab::analysis::cartesian::{Abscissa, Curve, Request};
 use bxdf_lab::analysis::hemisphere::Quantity;
@@ -31,16 +32,15 @@ pub static FIXED_ANGLE: NumberSpec =
 
 /// How f is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(from = "Stored")]
 pub struct Options {
     /// Over which angle.
     pub abscissa: Abscissa,
     /// The angle that is held, where there is one: theta_d or theta_h, in degrees.
     pub fixed_deg: f64,
-    /// Whether values go by decades.
-    pub is_logarithmic: bool,
-    /// Whether each curve is divided by its peak.
-    pub is_normalised: bool,
+    /// How values become heights.
+    #[serde(skip_serializing_if = "Scale::is_first")]
+    pub scale: Scale,
     /// Whether the difference from the reference is shown.
     pub is_residual: bool,
     /// A section of its own.
@@ -53,10 +53,52 @@ impl Default for Options {
         Self {
             abscissa: Abscissa::default(),
             fixed_deg: 30.0,
-            is_logarithmic: false,
-            is_normalised: false,
+            scale: Scale::default(),
             is_residual: false,
             own_section_deg: OwnSection::default(),
+        }
+    }
+}
+
+/// The options as files have them: before version 3 the scale was two switches.
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Stored {
+    abscissa: Abscissa,
+    fixed_deg: f64,
+    is_logarithmic: bool,
+    is_normalised: bool,
+    scale: Scale,
+    is_residual: bool,
+    own_section_deg: OwnSection,
+}
+
+impl Default for Stored {
+    fn default() -> Self {
+        let first = Options::default();
+        Self {
+            abscissa: first.abscissa,
+            fixed_deg: first.fixed_deg,
+            is_logarithmic: false,
+            is_normalised: false,
+            scale: first.scale,
+            is_residual: first.is_residual,
+            own_section_deg: first.own_section_deg,
+        }
+    }
+}
+
+impl From<Stored> for Options {
+    fn from(stored: Stored) -> Self {
+        let mut scale = stored.scale;
+        scale.set_logarithmic(stored.is_logarithmic || scale.lengths.is_logarithmic());
+        scale.is_each_to_peak |= stored.is_normalised;
+        Self {
+            abscissa: stored.abscissa,
+            fixed_deg: stored.fixed_deg,
+            scale,
+            is_residual: stored.is_residual,
+            own_section_deg: stored.own_section_deg,
         }
     }
 }
@@ -70,10 +112,10 @@ impl Options {
             fixed_deg: self.fixed_deg,
             phi: self.own_section_deg.of(session).phi(),
             with_cosine: session.with_cosine,
-            scale: if self.is_logarithmic && !self.is_residual {
-                RadialScale::Logarithmic { decades: DECADES }
-            } else {
+            scale: if self.is_residual {
                 RadialScale::Linear
+            } else {
+                self.scale.lengths
             },
             is_residual: self.is_residual,
         }
@@ -84,7 +126,7 @@ impl Options {
         let is_logarithmic = self.request(session).scale.is_logarithmic();
         let quantity = Quantity::of_f(session.with_cosine);
         let compared = if self.is_residual { "_difference" } else { "" };
-        let (over, unit) = if self.is_normalised {
+        let (over, unit) = if self.scale.is_each_to_peak {
             ("_over_peak", "")
         } else {
             ("", quantity.unit())
@@ -108,6 +150,7 @@ impl ViewOptions for Options {
 
     fn numbers(&mut self) -> Numbers<'_> {
         let mut all = vec![(&FIXED_ANGLE, &mut self.fixed_deg)];
+        all.extend(self.scale.numbers());
         all.extend(self.own_section_deg.number());
         all
     }
@@ -124,7 +167,7 @@ impl ViewOptions for Options {
         let reference = self.is_residual.then(|| session.materials.reference());
         for (entry, title) in shown(session) {
             let curve = answers.compare(session, entry, reference, self.request(session));
-            let peaks = self.is_normalised.then(|| peaks(&curve));
+            let peaks = self.scale.is_each_to_peak.then(|| peaks(&curve));
             for point in curve.lines.iter().flatten() {
                 let row = names::value(point.value);
                 let over = |(index, x): (usize, f64)| {

@@ -1,5 +1,6 @@
 //! What a kind of view says of itself, and of the options of its instances.
 
+use super::scale::{Arrangement, Scale};
 use super::section::OwnSection;
 use crate::answers::Answers;
 use crate::export::Format;
@@ -75,6 +76,16 @@ pub trait ViewOptions: Default {
 
     /// The section of the view's own, where it shows a section.
     fn own_section(&mut self) -> Option<&mut OwnSection> {
+        None
+    }
+
+    /// How values become radii, where the view shows radii.
+    fn radial_scale(&mut self) -> Option<&mut Scale> {
+        None
+    }
+
+    /// How several materials stand, where that can be chosen.
+    fn arrangement(&mut self) -> Option<&mut Arrangement> {
         None
     }
 

@@ -3,9 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::scale::{Arrangement, Scale};
 use crate::answers::Answers;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
+use crate::number::Numbers;
 use crate::session::Session;
 use bxdf_lab::analysis::deltas::Arrows;
 use bxdf_lab::analysis::lobe3d::{Request, Vertex};
@@ -22,27 +24,48 @@ pub(super) const KIND: ViewKind = ViewKind {
     is_mesh: true,
 };
 
-/// There is nothing to choose: camera, surface and scale are the session's.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+/// How the lobes are shown; camera and surface are the session's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Options {}
+pub struct Options {
+    /// How values become radii.
+    #[serde(skip_serializing_if = "Scale::is_first")]
+    pub scale: Scale,
+    /// How several materials stand.
+    #[serde(skip_serializing_if = "Arrangement::is_first")]
+    pub arrangement: Arrangement,
+}
 
-/// The mesh.
-#[must_use]
-pub fn request(session: &Session) -> Request {
-    Request {
-        scale: session.scale,
-        with_cosine: session.with_cosine,
+impl Options {
+    /// The mesh.
+    #[must_use]
+    pub fn request(&self, session: &Session) -> Request {
+        Request {
+            scale: self.scale.lengths,
+            with_cosine: session.with_cosine,
+        }
     }
 }
 
 impl ViewOptions for Options {
+    fn radial_scale(&mut self) -> Option<&mut Scale> {
+        Some(&mut self.scale)
+    }
+
+    fn arrangement(&mut self) -> Option<&mut Arrangement> {
+        Some(&mut self.arrangement)
+    }
+
+    fn numbers(&mut self) -> Numbers<'_> {
+        self.scale.numbers()
+    }
+
     /// The vertices of the mesh.
     fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let columns = ["material", "w_x", "w_y", "w_z"];
-        let mut table = Table::named(Names::of_lobe(session).columns(&columns));
+        let mut table = Table::named(Names::of_lobe(session, self.scale).columns(&columns));
         for (entry, title) in shown(session) {
-            let mesh = answers.ask(session, entry, request(session));
+            let mesh = answers.ask(session, entry, self.request(session));
             for Vertex {
                 direction: w,
                 value,

@@ -19,6 +19,7 @@ pub mod lobe3d;
 pub mod polar;
 pub mod reflectance;
 pub mod sampling;
+mod scale;
 mod section;
 pub mod slice;
 pub mod sphere;
@@ -27,6 +28,7 @@ pub mod tradeoff;
 mod words;
 
 pub use kind::{Deltas, TableKind, ViewKind, ViewOptions};
+pub use scale::{Arrangement, DECADES, Scale, ScaleChoice};
 pub use section::{OWN_SECTION, OwnSection};
 
 /// The one list of the kinds of views, in the order of the window: gives their ids to the macro `then`, which makes of them
@@ -87,6 +89,21 @@ macro_rules! list {
             pub fn own_section(&mut self) -> Option<&mut OwnSection> {
                 match self {
                     $(Self::$id(options) => options.own_section(),)*
+                }
+            }
+
+            /// See [`ViewOptions::radial_scale`].
+            #[must_use]
+            pub fn radial_scale(&mut self) -> Option<&mut Scale> {
+                match self {
+                    $(Self::$id(options) => options.radial_scale(),)*
+                }
+            }
+
+            /// See [`ViewOptions::arrangement`].
+            pub(crate) fn arrangement(&mut self) -> Option<&mut Arrangement> {
+                match self {
+                    $(Self::$id(options) => options.arrangement(),)*
                 }
             }
 

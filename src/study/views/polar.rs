@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use super::scale::{Arrangement, Scale};
 use super::section::OwnSection;
 use crate::answers::Answers;
 use crate::export::names::Names;
@@ -23,10 +24,16 @@ pub(super) const KIND: ViewKind = ViewKind {
     is_mesh: false,
 };
 
-/// Which section is shown.
+/// Which section is shown, and how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Options {
+    /// How values become radii.
+    #[serde(skip_serializing_if = "Scale::is_first")]
+    pub scale: Scale,
+    /// How several materials stand.
+    #[serde(skip_serializing_if = "Arrangement::is_first")]
+    pub arrangement: Arrangement,
     /// A section of its own.
     #[serde(skip_serializing_if = "OwnSection::is_absent")]
     pub own_section_deg: OwnSection,
@@ -39,7 +46,7 @@ impl Options {
         Request {
             phi: self.own_section_deg.of(session).phi(),
             with_cosine: session.with_cosine,
-            scale: session.scale,
+            scale: self.scale.lengths,
         }
     }
 }
@@ -49,14 +56,24 @@ impl ViewOptions for Options {
         Some(&mut self.own_section_deg)
     }
 
+    fn radial_scale(&mut self) -> Option<&mut Scale> {
+        Some(&mut self.scale)
+    }
+
+    fn arrangement(&mut self) -> Option<&mut Arrangement> {
+        Some(&mut self.arrangement)
+    }
+
     fn numbers(&mut self) -> Numbers<'_> {
-        self.own_section_deg.number().into_iter().collect()
+        let mut all = self.scale.numbers();
+        all.extend(self.own_section_deg.number());
+        all
     }
 
     /// The section.
     fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let columns = ["material", "angle (degrees)"];
-        let mut table = Table::named(Names::of_lobe(session).columns(&columns));
+        let mut table = Table::named(Names::of_lobe(session, self.scale).columns(&columns));
         for (entry, title) in shown(session) {
             let section = answers.ask(session, entry, self.request(session));
             for Point { angle, value } in section.lower.iter().chain(&section.upper) {

@@ -53,6 +53,9 @@ impl App {
             Some(colors::Theme::Dark) => ThemePreference::Dark,
             Some(colors::Theme::Light) => ThemePreference::Light,
         });
+        if !store.has_seen_first_steps() {
+            self.switch_first_steps();
+        }
         let restored = store.restore(self.session.clone());
         if restored.session != self.session {
             self.restart(restored.session);
@@ -268,6 +271,14 @@ impl App {
         }
         if let Some(seconds) = keeping.again {
             ctx.request_repaint_after(Duration::from_secs_f64(seconds));
+        }
+    }
+
+    /// Keeps for the next run that the first steps were seen.
+    pub(super) fn keep_first_steps(&mut self) {
+        let is_left = self.first_steps.is_none();
+        if let Some(files) = self.files.as_mut().filter(|_| is_left) {
+            files.store.keep_first_steps_seen();
         }
     }
 

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex};
 
-use egui::Context;
+use egui::{Context, Vec2};
 
 use super::pacing::Pacing;
 use super::scene3d;
@@ -31,6 +31,7 @@ use bxdf_study::parallel::Pool;
 use bxdf_study::session::{Session, ViewId};
 use exports::Exports;
 use files::Files;
+use first_steps::FirstSteps;
 use readings::Reading;
 
 mod asking;
@@ -39,8 +40,10 @@ mod exports;
 mod fetching;
 mod files;
 mod filing;
+mod first_steps;
 pub(super) mod keys;
 mod picture;
+mod presenting;
 mod reading;
 mod readings;
 mod views;
@@ -78,6 +81,11 @@ pub struct App {
     pub(super) search: Option<Search>,
     pub(super) is_help_shown: bool,
     pub(super) tiles: Option<ViewTiles>,
+    pub(super) first_steps: Option<FirstSteps>,
+    /// While the views are presented: how much the window was enlarged before.
+    pub(super) zoom_before: Option<f32>,
+    /// The size of the room that views had in the last frame.
+    pub(super) room_of_views: Vec2,
 }
 
 impl App {
@@ -123,6 +131,9 @@ impl App {
             search: None,
             is_help_shown: false,
             tiles: None,
+            first_steps: None,
+            zoom_before: None,
+            room_of_views: theme::WINDOW_SIZE,
         }
     }
 

@@ -1,8 +1,9 @@
 //! What a command is, and its buttons.
 
-use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Ui};
+use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Ui, vec2};
 
 use crate::app::App;
+use crate::theme;
 
 /// What a command is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +66,7 @@ pub struct Command {
 pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
 pub(super) const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 pub(super) const CTRL_ALT: Modifiers = Modifiers::COMMAND.plus(Modifiers::ALT);
+pub(super) const SHIFT: Modifiers = Modifiers::SHIFT;
 pub(super) const PLAIN: Modifiers = Modifiers::NONE;
 
 pub(super) const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
@@ -141,6 +143,23 @@ impl Command {
     /// A button for it. Returns whether it is clicked.
     pub fn button(&self, ui: &mut Ui, app: &App) -> bool {
         self.show(ui, app, Button::new(self.title))
+    }
+
+    /// A button for it that shows a sign alone. Returns whether it is clicked.
+    pub fn sign_button(&self, ui: &mut Ui, app: &App, sign: &str) -> bool {
+        self.show(ui, app, Button::new(sign))
+    }
+
+    /// A button for it that looks like the field that it opens. Returns whether it is clicked.
+    pub fn field_button(&self, ui: &mut Ui, app: &App) -> bool {
+        let width = ui.available_width().min(theme::SEARCH_FIELD_WIDTH);
+        let keys = self.first_keys(ui.ctx()).unwrap_or_default();
+        let button = Button::new(self.title)
+            .shortcut_text(keys)
+            .truncate()
+            .min_size(vec2(width, 0.0))
+            .fill(ui.visuals().extreme_bg_color);
+        self.show(ui, app, button)
     }
 
     /// An entry of a menu for it, which closes the menu. Returns whether it is clicked.

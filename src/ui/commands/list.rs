@@ -2,7 +2,7 @@
 
 use egui::Key;
 
-use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, command, key, switched};
+use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, SHIFT, command, key, switched};
 use super::files::{COPY_SESSION, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA};
 use crate::app::App;
 use bxdf_lab::analysis::Hold;
@@ -159,7 +159,7 @@ pub static HOLD: Command = Command {
 
 /// Changes between the radial scales.
 pub static SCALE: Command = Command {
-    state: Some(|app| switched("Logarithmic radius", app.session.scale.is_logarithmic())),
+    state: Some(|app| switched("Logarithmic radius", app.session.views.is_logarithmic())),
     ..command(
         Group::View,
         [
@@ -169,11 +169,24 @@ pub static SCALE: Command = Command {
         ],
         &[key(PLAIN, Key::L)],
         |app, _| {
-            let is_logarithmic = app.session.scale.is_logarithmic();
-            app.session.set_logarithmic(!is_logarithmic);
+            let views = &mut app.session.views;
+            let is_logarithmic = views.is_logarithmic();
+            views.each_scale(|scale| scale.set_logarithmic(!is_logarithmic));
         },
     )
 };
+
+/// Shows the four kinds of reflection side by side.
+pub static FOUR_KINDS: Command = command(
+    Group::View,
+    [
+        "four_kinds",
+        "Four kinds",
+        "Show diffuse, glossy, perfect specular and retro-reflective reflection side by side, in place of the materials there are",
+    ],
+    &[key(CTRL, Key::Num4)],
+    |app, _| app.session.show_four_kinds(),
+);
 
 /// Multiplies by the cosine, or does not.
 pub static COSINE: Command = Command {
@@ -256,16 +269,40 @@ pub static OWN_SECTION: Command = Command {
     )
 };
 
+/// Shows the views alone, large.
+pub static PRESENT: Command = command(
+    Group::View,
+    [
+        "present",
+        "Present",
+        "Show the views alone, with large labels, on the whole screen; Escape returns",
+    ],
+    &[key(PLAIN, Key::F5), key(PLAIN, Key::F11)],
+    App::switch_presenting,
+);
+
 /// Searches the commands.
 pub static SEARCH: Command = command(
     Group::Help,
     [
         "search",
-        "Search commands",
+        "Search and commands",
         "Find a command by its name and run it",
     ],
     &[key(CTRL, Key::K), key(CTRL, Key::P)],
     App::start_search,
+);
+
+/// Begins the first steps, or leaves them.
+pub static FIRST_STEPS: Command = command(
+    Group::Help,
+    [
+        "first_steps",
+        "First steps",
+        "Show in five captions what to drag and what to choose, or leave them",
+    ],
+    &[key(SHIFT, Key::F1)],
+    |app, _| app.switch_first_steps(),
 );
 
 /// Shows the help.
@@ -280,7 +317,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 24] = [
+pub static COMMANDS: [&Command; 27] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -298,12 +335,15 @@ pub static COMMANDS: [&Command; 24] = [
     &NEXT,
     &HOLD,
     &SCALE,
+    &FOUR_KINDS,
     &COSINE,
     &CURVES,
     &ANGLES,
     &DUPLICATE_VIEW,
     &OWN_SECTION,
+    &PRESENT,
     &SEARCH,
+    &FIRST_STEPS,
     &HELP,
 ];
 

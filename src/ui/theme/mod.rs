@@ -40,6 +40,16 @@ pub const USABLE_SIZE: Vec2 = Vec2::new(400.0, 240.0);
 pub const SIDE_WIDTH: f32 = 292.0;
 /// The room that a scroll bar takes when the pointer is near, in points.
 pub const SCROLL_ROOM: f32 = 12.0;
+/// The least width of the views that are presented, in points, and how much larger they are at most.
+pub const PRESENTED_WIDTH: f32 = 900.0;
+/// See [`PRESENTED_WIDTH`].
+pub const PRESENTED_ZOOM: f32 = 2.0;
+/// The height of the bar at the top.
+pub const TOP_BAR_HEIGHT: f32 = 30.0;
+/// From this width on the arrangements have words beside their signs, in points.
+pub const WORDS_WIDTH: f32 = 1180.0;
+/// The largest width of what opens the search, in points.
+pub const SEARCH_FIELD_WIDTH: f32 = 230.0;
 /// Room between the edge of a tile and its view.
 pub const TILE_MARGIN: f32 = 4.0;
 /// Height of the bar with the names of the views in a tile.

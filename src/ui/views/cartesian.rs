@@ -3,6 +3,7 @@
 use egui::{Align2, Ui};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{Axis, Chart, Series, Shown};
 use crate::widgets::legend::{self, Swatch};
@@ -12,14 +13,14 @@ use bxdf_lab::analysis::cartesian::{self, Abscissa, Curve};
 use bxdf_lab::analysis::deltas::Arrows;
 use bxdf_lab::analysis::half_difference::half_difference;
 use bxdf_lab::analysis::lobe::Arrow;
-use bxdf_lab::analysis::{Channel, HeldLobe, polar};
+use bxdf_lab::analysis::{Channel, HeldLobe, RadialScale, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, MaterialEntry, Session};
+use bxdf_study::session::{MaterialEntry, Session};
 use bxdf_study::views::cartesian::{FIXED_ANGLE, Options};
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.session, cx.options);
+    settings::row(ui, cx, controls);
     legend::show(ui, Swatch::Line, cx.session, cx.palette);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
@@ -47,43 +48,39 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
 }
 
-fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
-    ui.horizontal_wrapped(|ui| {
-        let hint = "Over which angle f is drawn: the free direction's in the section, or the \
-            angles of half vector and difference";
-        choice::choice(
-            ui,
-            ("Over", hint),
-            &mut options.abscissa,
-            &Abscissa::ALL,
-            Abscissa::title,
-        );
-        match options.abscissa {
-            Abscissa::Free => {}
-            Abscissa::Half => {
-                let hint = "The angle between the light and the half vector, held fixed";
-                choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, &FIXED_ANGLE);
-            }
-            Abscissa::Difference => {
-                let hint = "The angle between n and the half vector, held fixed";
-                choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, &FIXED_ANGLE);
-            }
+fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    let mut options = *cx.options;
+    let hint = "Over which angle f is drawn: the free direction's in the section, or the angles of half vector and difference";
+    choice::choice(
+        ui,
+        ("Over", hint),
+        &mut options.abscissa,
+        &Abscissa::ALL,
+        Abscissa::title,
+    );
+    match options.abscissa {
+        Abscissa::Free => {}
+        Abscissa::Half => {
+            let hint = "The angle between the light and the half vector, held fixed";
+            choice::angle(ui, ("at θd", hint), &mut options.fixed_deg, &FIXED_ANGLE);
         }
-        let hint = "A logarithmic scale: shows the tails";
-        choice::switch_if(
-            !options.is_residual,
-            ui,
-            ("By decades", hint),
-            &mut options.is_logarithmic,
-        );
-        let hint = "Each curve divided by its own peak: compares shapes";
-        choice::switch(ui, ("To the peak", hint), &mut options.is_normalised);
-        let hint = "The value minus that of the reference material";
-        choice::switch(ui, ("Residual", hint), &mut options.is_residual);
-        if options.is_residual {
-            super::context::reference_choice(ui, &mut session.materials);
+        Abscissa::Difference => {
+            let hint = "The angle between n and the half vector, held fixed";
+            choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, &FIXED_ANGLE);
         }
-    });
+    }
+    settings::scale(ui, cx, &mut options.scale, None);
+    let hint = "The value minus that of the reference material";
+    choice::switch(ui, ("Difference", hint), &mut options.is_residual);
+    if options.is_residual {
+        super::context::reference_choice(ui, &mut cx.session.materials);
+    }
+    *cx.options = options;
+    settings::cosine(ui, cx);
+    if options.abscissa == Abscissa::Free {
+        settings::section(ui, cx);
+    }
+    settings::curves(ui, cx);
 }
 
 /// Why there are fewer deltas than one might expect.
@@ -134,7 +131,10 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> Chart {
         // Room for stems that go down.
         let lowest = stems.iter().map(|stem| stem.share).fold(0.0, f64::min);
         least = least.min(lowest * largest.max(-least));
-        let decades = request.scale.is_logarithmic().then_some(DECADES);
+        let decades = match request.scale {
+            RadialScale::Linear => None,
+            RadialScale::Logarithmic { decades } => Some(decades),
+        };
         Axis::of_values(value_name(session, &options), [least, largest], decades)
     };
     let mut chart = Chart::of("Cartesian plot", [x_axis(session, &options), y], series);
@@ -160,7 +160,7 @@ fn line(
         .iter()
         .map(|line| line.iter().map(shown).collect())
         .collect();
-    if options.is_normalised {
+    if options.scale.is_each_to_peak {
         let values = lines.iter().flatten().map(|[_, y]| y.abs());
         let peak = values.fold(0.0, f64::max);
         if peak > 0.0 {
@@ -188,7 +188,7 @@ fn value_name(session: &Session, options: &Options) -> String {
         "f"
     };
     let reference = session.materials.title(session.materials.reference());
-    match (options.is_residual, options.is_normalised) {
+    match (options.is_residual, options.scale.is_each_to_peak) {
         (false, false) => format!("{quantity} (1/sr)"),
         (false, true) => format!("{quantity} over its peak"),
         (true, false) => format!("{quantity} less that of {reference} (1/sr)"),

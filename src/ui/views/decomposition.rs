@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::{Color32, Rect, Ui, UiBuilder};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
 use crate::widgets::legend::{self, Swatch};
@@ -14,7 +15,8 @@ use bxdf_lab::analysis::decomposition::{Decomposition, Factors};
 use bxdf_lab::analysis::{Channel, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, EntryId, Session};
+use bxdf_study::session::{EntryId, Session};
+use bxdf_study::views::DECADES;
 use bxdf_study::views::decomposition::{Decomposed, Options};
 
 /// Width over height of the charts of several materials.
@@ -27,7 +29,7 @@ const ROOM_FOR_WORDS: egui::Vec2 = egui::vec2(230.0, 150.0);
 const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.options);
+    settings::show(ui, cx, |ui, cx| controls(ui, cx.options));
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

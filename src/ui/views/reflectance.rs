@@ -3,6 +3,7 @@
 use egui::{RichText, Ui};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{Axis, Band, Chart, Mark, Series};
 use crate::widgets::legend::{self, Swatch};
@@ -23,7 +24,7 @@ struct Part {
 }
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.options);
+    settings::show(ui, cx, |ui, cx| controls(ui, cx.options));
     legend::show(ui, Swatch::Line, cx.session, cx.palette);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);

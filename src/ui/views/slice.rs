@@ -5,13 +5,15 @@ use std::sync::Arc;
 use egui::{Align2, Rect, Response, Ui, vec2};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::theme::Palette;
 use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::widgets::{choice, deltas, draw};
 use bxdf_lab::analysis::slice::{REGIONS, Region, Request, Slice, mirrored_at, pair_at, place_of};
 use bxdf_lab::analysis::{Channel, Subject};
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, EntryId, MaterialEntry};
+use bxdf_study::session::{EntryId, MaterialEntry};
+use bxdf_study::views::DECADES;
 use bxdf_study::views::slice::{DIFFERENCE_AZIMUTH, Options};
 
 /// Room for the names and numbers of the axes, in points: at the left and below.
@@ -33,7 +35,7 @@ const GRAZING_SHARE: f64 = 0.01;
 const ROOM_FOR_NAMES: f32 = 150.0;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.options);
+    settings::show(ui, cx, |ui, cx| controls(ui, cx.options));
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

@@ -31,7 +31,8 @@ pub fn small_switch_width(ui: &Ui, text: &str) -> f32 {
 }
 
 /// The width of a drop-down that shows `text`, in points.
-fn combo_width(ui: &Ui, text: &str) -> f32 {
+#[must_use]
+pub fn combo_width(ui: &Ui, text: &str) -> f32 {
     let spacing = ui.spacing();
     let icon = spacing.icon_width + spacing.icon_spacing;
     let inside = (width_of(ui, text, &egui::TextStyle::Body) + icon).max(theme::SHORT_COMBO_WIDTH);

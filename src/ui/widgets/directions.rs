@@ -14,6 +14,18 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
     ui.add_space(2.0);
 }
 
+/// One line of it, while the views are presented.
+pub fn slim(ui: &mut Ui, session: &mut Session) {
+    ui.horizontal(|ui| {
+        hold(ui, session);
+        let hint = "Polar angle of the held direction from the normal n";
+        let spec = session.theta_spec();
+        angle(ui, "θ from n", &mut session.theta_deg, spec, hint);
+        let hint = "Azimuth of the held direction from the axis s";
+        angle(ui, "φ from s", &mut session.phi_deg, PHI, hint);
+    });
+}
+
 fn grid(ui: &mut Ui, session: &mut Session) {
     Grid::new("directions").num_columns(5).spacing([12.0, 3.0]).show(ui, |ui| {
         hold(ui, session);

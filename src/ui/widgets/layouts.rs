@@ -1,29 +1,39 @@
-//! The menu of the views: ready layouts, and views that can be added to those that are open.
+//! The arrangements that are ready, and the menu of views that can be added.
 
-use egui::Ui;
+use egui::{Button, Ui};
 
 use bxdf::error::Result;
-use bxdf_study::session::{MAX_VIEWS, READY_LAYOUTS, Session};
+use bxdf_study::session::{MAX_VIEWS, READY_LAYOUTS, Views};
 use bxdf_study::views::VIEWS;
 
-/// The menu.
+/// The arrangements; the signs stand alone where there is no room for words.
+pub fn arrangements(ui: &mut Ui, views: &mut Views, has_words: bool) {
+    for ready in &READY_LAYOUTS {
+        let text = if has_words {
+            format!("{} {}", ready.icon, ready.name)
+        } else {
+            ready.icon.to_owned()
+        };
+        let choice = ui.add(Button::selectable(views.is_ready(ready), text));
+        ui.ctx()
+            .accesskit_node_builder(choice.id, |node| node.set_label(ready.name));
+        let hint = format!("{}: {}", ready.name, ready.meaning);
+        if choice.on_hover_text(hint).clicked() {
+            views.show_ready(ready);
+        }
+    }
+}
+
+/// The menu of the views that can be added to those that are open, in a window that has this `room` for them.
 ///
 /// # Errors
 /// Where a view that is chosen cannot be opened.
-pub fn menu(ui: &mut Ui, session: &mut Session) -> Result<()> {
+pub fn menu(ui: &mut Ui, views: &mut Views, room: [f32; 2]) -> Result<()> {
     let mut opened = Ok(());
-    let views = &mut session.views;
     let menu = ui.menu_button("Views", |ui| {
-        for ready in &READY_LAYOUTS {
-            let choice = ui.selectable_label(views.is_ready(ready), ready.name);
-            if choice.on_hover_text(ready.meaning).clicked() {
-                views.show_ready(ready);
-            }
-        }
-        ui.separator();
         ui.weak("Add a view");
         for view in &VIEWS {
-            let button = ui.add_enabled(views.has_room(), egui::Button::new(view.title));
+            let button = ui.add_enabled(views.has_room(), Button::new(view.title));
             ui.ctx().accesskit_node_builder(button.id, |node| {
                 node.set_label(format!("Add {}", view.title));
             });
@@ -36,12 +46,12 @@ pub fn menu(ui: &mut Ui, session: &mut Session) -> Result<()> {
                 .on_hover_text(hint)
                 .on_disabled_hover_text(format!("{MAX_VIEWS} views are open, and no more fit"));
             if button.clicked() {
-                opened = views.add(view).map(|_| ());
+                opened = views.add(view, room).map(|_| ());
             }
         }
     });
     menu.response.on_hover_text(
-        "Ready-made layouts, and views to add; drag a view by its name onto another or beside it",
+        "Views to add; drag a view by its name onto another or beside it, and double-click the name to give it all the room",
     );
     opened
 }

@@ -1,6 +1,9 @@
 use super::*;
 use crate::views::{VIEWS, cartesian, hemisphere, polar};
 
+/// The room for views of a window, in points.
+const ROOM: [f32; 2] = [1000.0, 700.0];
+
 fn kind(id: &str) -> &'static ViewKind {
     find(id).unwrap()
 }
@@ -42,13 +45,13 @@ fn ready_layouts_are_valid_and_known_again() {
 #[test]
 fn a_kind_stands_twice_with_options_and_names_of_its_own() {
     let mut views = Views::default();
-    let first = views.add(kind("cartesian")).unwrap();
+    let first = views.add(kind("cartesian"), ROOM).unwrap();
     set(&mut views, first, at(10.0));
     let second = views.duplicate(first).unwrap();
     assert_eq!(angles(&views), [10.0, 10.0]);
     set(&mut views, second, at(20.0));
     assert_eq!(angles(&views), [10.0, 20.0]);
-    assert_eq!(kinds(&views), ["polar", "lobe3d", "cartesian", "cartesian"]);
+    assert_eq!(kinds(&views), ["lobe3d", "cartesian", "cartesian", "polar"]);
     let titles = [first, second].map(|id| views.title(id));
     assert_eq!(titles, ["Cartesian plot", "Cartesian plot 2"]);
     let names = [first, second].map(|id| views.file_name(id));
@@ -61,16 +64,16 @@ fn a_kind_stands_twice_with_options_and_names_of_its_own() {
 #[test]
 fn what_is_closed_comes_back_as_it_was() {
     let mut views = Views::default();
-    let first = views.add(kind("cartesian")).unwrap();
+    let first = views.add(kind("cartesian"), ROOM).unwrap();
     set(&mut views, first, at(10.0));
     let [start, ..] = &READY_LAYOUTS;
     views.show_ready(start);
     assert_eq!(
         (kinds(&views), angles(&views)),
-        (vec!["polar", "lobe3d"], vec![])
+        (vec!["lobe3d", "polar"], vec![])
     );
     assert_eq!(views.options::<cartesian::Options>(), at(10.0));
-    views.add(kind("cartesian")).unwrap();
+    views.add(kind("cartesian"), ROOM).unwrap();
     assert_eq!(angles(&views), [10.0]);
     // One that is like at first is not kept: there is nothing to lose.
     assert!(views.closed().is_empty());
@@ -78,15 +81,15 @@ fn what_is_closed_comes_back_as_it_was() {
     let second = views.duplicate(views.first(kind("cartesian")).unwrap());
     set(&mut views, second.unwrap(), at(20.0));
     views.show_ready(start);
-    views.add(kind("cartesian")).unwrap();
-    views.add(kind("cartesian")).unwrap();
+    views.add(kind("cartesian"), ROOM).unwrap();
+    views.add(kind("cartesian"), ROOM).unwrap();
     assert_eq!(angles(&views), [10.0, 10.0]);
 }
 
 #[test]
 fn a_ready_layout_takes_the_views_that_are_open() {
     let mut views = Views::default();
-    let map = views.add(kind("hemisphere")).unwrap();
+    let map = views.add(kind("hemisphere"), ROOM).unwrap();
     let own = hemisphere::Options {
         is_lower: true,
         ..hemisphere::Options::default()
@@ -109,7 +112,7 @@ fn all_of_a_kind_change_and_the_next_one_too() {
     let mut views = Views::default();
     views.each(|plot: &mut cartesian::Options| plot.is_residual = true);
     assert!(views.options::<cartesian::Options>().is_residual);
-    let first = views.add(kind("cartesian")).unwrap();
+    let first = views.add(kind("cartesian"), ROOM).unwrap();
     views.duplicate(first).unwrap();
     views.each(|plot: &mut cartesian::Options| plot.fixed_deg = 5.0);
     assert_eq!(angles(&views), [5.0, 5.0]);
@@ -120,7 +123,7 @@ fn all_of_a_kind_change_and_the_next_one_too() {
 fn the_first_of_a_kind_changes_alone_or_the_next_one() {
     let mut views = Views::default();
     views.first_of(|plot: &mut cartesian::Options| plot.is_residual = true);
-    let first = views.add(kind("cartesian")).unwrap();
+    let first = views.add(kind("cartesian"), ROOM).unwrap();
     assert!(views.options::<cartesian::Options>().is_residual);
     views.duplicate(first).unwrap();
     views.first_of(|plot: &mut cartesian::Options| plot.fixed_deg = 5.0);
@@ -130,23 +133,19 @@ fn the_first_of_a_kind_changes_alone_or_the_next_one() {
 #[test]
 fn equal_views_are_equal_whatever_their_numbers() {
     let mut views = Views::default();
-    let added = views.add(kind("cartesian")).unwrap();
-    let (one, before) = (views.clone(), views.ids());
-    views.arrange(&Place::row(
-        before[..2].iter().copied().map(Place::View).collect(),
-    ));
-    let again = views.add(kind("cartesian")).unwrap();
-    views.duplicate(again).unwrap();
+    let added = views.add(kind("cartesian"), ROOM).unwrap();
+    let one = views.clone();
+    let without = one
+        .layout()
+        .filter_map(&mut |id| (*id != added).then_some(*id));
+    views.arrange(&without.unwrap());
+    let again = views.add(kind("cartesian"), ROOM).unwrap();
+    let last = views.duplicate(again).unwrap();
     assert_ne!(views, one);
-    let last = views.ids()[3];
-    let three: Vec<Place<ViewId>> = [before[0], before[1], last].map(Place::View).into();
-    let mut layout = Place::row(three);
-    if let (Place::Row(parts), Place::Row(others)) = (&mut layout, one.layout()) {
-        for (part, other) in parts.iter_mut().zip(others) {
-            part.share = other.share;
-        }
-    }
-    views.arrange(&layout);
+    let layout = one
+        .layout()
+        .filter_map(&mut |id| Some(if *id == added { last } else { *id }));
+    views.arrange(&layout.unwrap());
     assert!(last != added && views == one);
 }
 
@@ -154,11 +153,11 @@ fn equal_views_are_equal_whatever_their_numbers() {
 fn there_is_a_limit() {
     let mut views = Views::default();
     while views.has_room() {
-        views.add(&VIEWS[0]).unwrap();
+        views.add(&VIEWS[0], ROOM).unwrap();
     }
     assert_eq!(views.ids().len(), MAX_VIEWS);
     for result in [
-        views.clone().add(&VIEWS[0]),
+        views.clone().add(&VIEWS[0], ROOM),
         views.clone().duplicate(ViewId(1)),
     ] {
         let line = result.unwrap_err().to_string();

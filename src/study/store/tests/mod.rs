@@ -207,7 +207,7 @@ fn files_of_the_wrong_kind_are_refused_in_a_line() {
     let folder = Folder::new("wrong");
     let text = session(10.0).to_toml().unwrap();
     let huge = "# ".to_owned() + &"x".repeat(MAX_TEXT as usize);
-    let newer = text.replace("version = 2", "version = 7");
+    let newer = text.replace("version = 3", "version = 7");
     let cases: [(&str, &[u8], &str); 8] = [
         ("picture.png", b"\x89PNG\r\n\x1a\n\xff\xfe", "no text"),
         ("letter.txt", b"Dear all,\nsee below.", "line 1"),
@@ -226,7 +226,7 @@ fn files_of_the_wrong_kind_are_refused_in_a_line() {
         (
             "newer.toml",
             newer.as_bytes(),
-            "a session of version 7; this program reads up to version 2",
+            "a session of version 7; this program reads up to version 3",
         ),
         (
             "model.toml",

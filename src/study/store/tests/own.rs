@@ -64,7 +64,7 @@ fn unreadable() -> [(Vec<u8>, &'static str); 6] {
         (Vec::new(), "there is nothing in it"),
         (b"theta_deg = \"steep\"".to_vec(), "session.toml: line 1"),
         (
-            text.replace("version = 2", "version = 3").into_bytes(),
+            text.replace("version = 3", "version = 4").into_bytes(),
             "a newer one is needed",
         ),
         (

@@ -3,6 +3,7 @@
 use egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::widgets::chart::Chart;
 use crate::widgets::number::Number;
 use crate::widgets::pictures::{self, Cell};
@@ -36,7 +37,7 @@ const SNELL_WIDTH: (f32, [f32; 2]) = (0.3, [190.0, 320.0]);
 const GAP: f32 = 10.0;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx);
+    settings::show(ui, cx, controls);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

@@ -5,13 +5,15 @@ use std::sync::Arc;
 use egui::{Rect, Response, Shape, Ui};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::widgets::{choice, deltas, draw, handle};
 use bxdf_lab::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
 use bxdf_lab::analysis::{Channel, HeldLobe, Subject};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, EntryId, MaterialEntry, Session};
+use bxdf_study::session::{EntryId, MaterialEntry, Session};
+use bxdf_study::views::DECADES;
 use bxdf_study::views::hemisphere::Options;
 
 mod marks;
@@ -23,7 +25,7 @@ use place::{LABELS, mirrored};
 const LARGEST_RATIO: f64 = 100.0;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.session, cx.options);
+    settings::show(ui, cx, |ui, cx| controls(ui, cx.session, cx.options));
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

@@ -6,6 +6,7 @@ use egui::{Color32, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 
 use super::context::ViewContext;
+use super::settings;
 use crate::widgets::number::Number;
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
 use crate::widgets::{choice, draw};
@@ -14,7 +15,8 @@ use bxdf_lab::analysis::hemisphere::Range;
 use bxdf_lab::analysis::integral::{Exact, Integrand, Part, Request, Sum};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
-use bxdf_study::session::{DECADES, EntryId, MaterialEntry};
+use bxdf_study::session::{EntryId, MaterialEntry};
+use bxdf_study::views::DECADES;
 use bxdf_study::views::integral::{Options, PATCHES_LOG2, SECONDS};
 
 use figure::{Figure, luminance};
@@ -50,7 +52,7 @@ struct Known {
 }
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx);
+    settings::show(ui, cx, controls);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

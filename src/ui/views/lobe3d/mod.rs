@@ -7,13 +7,13 @@ use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::scene3d::{self, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
 use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{draw, handle, reset};
 use bxdf_study::cursor::Cursor;
-use bxdf_study::session::Session;
-use bxdf_study::session::{HomeView, OrbitCamera};
+use bxdf_study::session::{HomeView, LobeSurface, OrbitCamera, Session};
 use bxdf_study::views::lobe3d::Options;
 use sketch::Sketch;
 use surface::Lobes;
@@ -29,15 +29,23 @@ const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
 const UPPER_ZOOM: f32 = 1.15;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    let requested = scene::requested(cx);
+    let scales = scene::scales(ui, cx, &requested);
+    settings::row(ui, cx, |ui, cx| {
+        let mut scale = cx.options.scale;
+        settings::scale(ui, cx, &mut scale, scales.shared());
+        cx.options.scale = scale;
+        settings::cosine(ui, cx);
+        surface_choice(ui, cx);
+    });
     legend::show(ui, Swatch::Patch, cx.session, cx.palette);
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
-    let requested = scene::requested(cx);
     let has_lower = cx.state.shows_lower_half(cx.session);
     move_camera(ui, &response, cx.session);
     let camera = centred(&cx.session.camera, has_lower);
-    let drawing = scene::drawing(ui, cx, requested, has_lower);
+    let drawing = scene::drawing(ui, cx, (requested, scales), has_lower);
     let view = SceneView {
         id: ui.scope_id().value(),
         scene: Arc::clone(&drawing.scene),
@@ -55,8 +63,9 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     };
     sketch.name_axes(&drawing.lobes);
     sketch.label(cx.session, &drawing.lobes);
-    sketch.scale(&drawing.lobes, cx.session);
+    sketch.scale(&drawing.lobes, cx.session, cx.options.scale);
     home_buttons(ui, rect, cx.session);
+    offer_peaks(ui, cx, &drawing.lobes, rect);
     if drag_held(ui, cx, rect, &camera) {
         cx.state.keep_arrangement(has_lower);
     } else if !response.dragged() {
@@ -70,6 +79,31 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if reset::button(ui, rect, Align2::LEFT_TOP, is_moved) {
         cx.session.camera = OrbitCamera::default();
     }
+}
+
+/// How a lobe may be drawn: the name and what it is good for.
+const SURFACES: [(LobeSurface, &str); 4] = [
+    (LobeSurface::Automatic, "Automatic"),
+    (LobeSurface::Solid, "Solid"),
+    (LobeSurface::Wire, "Wire"),
+    (LobeSurface::Translucent, "Translucent"),
+];
+
+/// How the lobes are drawn.
+fn surface_choice(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    let hint = "Automatic: one lobe as a solid, several as shells. Solid: what is behind is hidden. Wire: shows where the mesh is \
+                fine. Translucent: shows lobes inside one another";
+    let mut surface = cx.session.lobe_surface;
+    settings::combo(ui, cx, ("Surface", hint), &mut surface, &SURFACES);
+    cx.session.lobe_surface = surface;
+}
+
+/// Offers to show each lobe to its peak, where one is too small to be seen.
+fn offer_peaks(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, lobes: &Lobes, room: Rect) {
+    let small = settings::smallest(cx, lobes.radii());
+    let mut scale = cx.options.scale;
+    settings::offer_peaks(ui, cx, &mut scale, small, room);
+    cx.options.scale = scale;
 }
 
 /// The direction pointed at in another view: a line to the dome.

@@ -6,8 +6,9 @@ use egui::{Theme, Ui};
 use glam::{DVec3, Vec3};
 
 use super::super::context::ViewContext;
+use super::super::kept_scale;
 use super::sizes::{ARC_RADIUS, AXIS_LENGTH, FLAT};
-use super::surface::{Lobes, Part};
+use super::surface::{Full, Lobes, Part, Scales, peak};
 use crate::scene3d::Scene;
 use crate::theme::{Palette, rgba};
 use bxdf::math::frame;
@@ -18,7 +19,7 @@ use bxdf_lab::analysis::lobe3d::Mesh;
 use bxdf_study::memo::{Memo, Same};
 use bxdf_study::session::OrbitCamera;
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
-use bxdf_study::views::lobe3d::{Options, request};
+use bxdf_study::views::lobe3d::Options;
 
 /// Brush lines to either side of the middle one.
 const BRUSH_LINES: i32 = 6;
@@ -29,6 +30,7 @@ const BRUSH_ALPHA: u8 = 50;
 #[derive(Clone, PartialEq)]
 struct Key {
     requested: Vec<Requested>,
+    scales: Scales,
     session: Session,
     is_dark: bool,
 }
@@ -43,13 +45,39 @@ pub(super) struct Requested {
 
 /// What is drawn of every material that is shown.
 pub(super) fn requested(cx: &mut ViewContext<'_, Options>) -> Vec<Requested> {
-    let (session, answers) = (&*cx.session, &mut *cx.answers);
+    let (session, answers, options) = (&*cx.session, &mut *cx.answers, &*cx.options);
     let request = |entry: &MaterialEntry| Requested {
         material: entry.id(),
-        mesh: Same(answers.ask(session, entry, request(session))),
+        mesh: Same(answers.ask(session, entry, options.request(session))),
         arrows: Same(answers.ask(session, entry, Arrows)),
     };
     session.materials.shown().map(request).collect()
+}
+
+/// The scales on which the lobes are shown now.
+pub(super) fn scales(
+    ui: &Ui,
+    cx: &mut ViewContext<'_, Options>,
+    requested: &[Requested],
+) -> Scales {
+    let scale = cx.options.scale;
+    let peaks = requested.iter().map(|one| {
+        let peak = peak(&one.mesh.0, cx.session);
+        (one.material, peak)
+    });
+    let peaks: Vec<_> = peaks.collect();
+    let mut full = |of, peak| kept_scale::full(ui, cx, scale, of, peak);
+    let full = if scale.is_each_to_peak {
+        let each = peaks.into_iter().map(|(of, peak)| full(Some(of), peak));
+        Full::Each(each.collect())
+    } else {
+        let peaks = peaks.into_iter().map(|(_, peak)| peak);
+        Full::Shared(full(None, peaks.fold(0.0, f64::max)))
+    };
+    Scales {
+        lengths: scale.lengths,
+        full,
+    }
 }
 
 /// What is on the screen, less what is painted over it.
@@ -67,11 +95,12 @@ type DrawingMemo = Memo<Key, Drawing>;
 pub(super) fn drawing(
     ui: &Ui,
     cx: &mut ViewContext<'_, Options>,
-    requested: Vec<Requested>,
+    (requested, scales): (Vec<Requested>, Scales),
     has_lower: bool,
 ) -> Arc<Drawing> {
     let key = Key {
         requested: requested.clone(),
+        scales: scales.clone(),
         session: Session {
             camera: OrbitCamera::default(),
             ..cx.session.clone()
@@ -92,7 +121,7 @@ pub(super) fn drawing(
                 arrows: one.arrows.0,
             })
         });
-        let lobes = Lobes::of(parts.collect(), session);
+        let lobes = Lobes::of(parts.collect(), session, &scales);
         let mut scene = Scene::default();
         lobes.add_to(&mut scene, session);
         add_brush_lines(&mut scene, session, palette);

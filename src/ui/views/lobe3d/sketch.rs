@@ -15,6 +15,7 @@ use bxdf_lab::analysis::{Channel, RadialScale};
 use bxdf_study::format;
 use bxdf_study::session::OrbitCamera;
 use bxdf_study::session::Session;
+use bxdf_study::views::Scale;
 
 /// Spacing of the labels of the degree grid.
 const GRID_STEP_DEG: f64 = 30.0;
@@ -168,17 +169,22 @@ impl Sketch<'_> {
     }
 
     /// The scale: the value of the longest radius, and where one lobe is shown the colours with their values.
-    pub(super) fn scale(&self, lobes: &Lobes, session: &Session) {
-        let peak = lobes.peak();
-        if peak <= 0.0 {
-            return;
-        }
+    pub(super) fn scale(&self, lobes: &Lobes, session: &Session, scale: Scale) {
         let quantity = if session.with_cosine { "f cos θ" } else { "f" };
         let painter = self.ui.painter_at(self.rect);
         let font = draw::small_font(self.ui);
+        let Some(peak) = lobes.full() else {
+            if lobes.radii().any(|(_, radius)| radius > 0.0) {
+                let place = self.rect.right_top() + vec2(-8.0, 6.0);
+                let text = format!("radius = {quantity} over its peak");
+                let color = self.palette.faint_ink;
+                painter.text(place, Align2::RIGHT_TOP, text, font, color);
+            }
+            return;
+        };
         if session.materials.is_overlay() {
             let place = self.rect.right_top() + vec2(-8.0, 6.0);
-            let text = format!("longest: {quantity} {} 1/sr", format::value(peak));
+            let text = format!("radius = {quantity} {} 1/sr", format::value(peak));
             let color = self.palette.faint_ink;
             painter.text(place, Align2::RIGHT_TOP, text, font, color);
             return;
@@ -210,9 +216,9 @@ impl Sketch<'_> {
             Align2::RIGHT_CENTER,
             format!("{quantity} {} 1/sr", format::value(peak)),
         );
-        let low = match session.scale {
+        let low = match scale.lengths {
             RadialScale::Linear => "0".to_owned(),
-            RadialScale::Logarithmic { .. } => format::value(session.scale.value(0.0, peak)),
+            RadialScale::Logarithmic { .. } => format::value(scale.lengths.value(0.0, peak)),
         };
         text(bar.bottom(), Align2::RIGHT_CENTER, low);
     }

@@ -7,9 +7,9 @@ use glam::Vec3;
 
 use crate::scene3d::{Ray, Rgba, Scene, Surface, Vertex};
 use crate::theme;
-use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::lobe::Arrow;
 use bxdf_lab::analysis::lobe3d::{self, Mesh};
+use bxdf_lab::analysis::{Channel, RadialScale};
 use bxdf_study::session::{EntryId, LobeSurface, Session};
 
 /// The largest radius of the lobe: a little less than the dome's, or the two surfaces would flicker into each other.
@@ -37,38 +37,39 @@ pub(super) struct Part {
     pub(super) arrows: Arc<Vec<Arrow>>,
 }
 
-/// The lobes of all materials shown, on one radial scale.
+/// The lobes of all materials shown.
 pub(super) struct Lobes {
     all: Vec<(Part, DrawnLobe)>,
-    peak: f64,
+    full: Option<f64>,
 }
 
 impl Lobes {
-    /// The lobes of `parts` on the session's scale.
-    pub(super) fn of(parts: Vec<Part>, session: &Session) -> Self {
-        let values: Vec<Vec<f64>> = parts
-            .iter()
-            .map(|part| shown_values(&part.mesh, session))
-            .collect();
-        let peak = values.iter().flatten().copied().fold(0.0, f64::max);
-        let radii = |values: Vec<f64>| -> Vec<f64> {
-            let radius = |value| session.scale.radius(value, peak);
-            values.into_iter().map(radius).collect()
+    /// The lobes of `parts` on these scales.
+    pub(super) fn of(parts: Vec<Part>, session: &Session, scales: &Scales) -> Self {
+        let lobe = |(index, part): (usize, Part)| {
+            let full = scales.full_of(index);
+            let values = shown_values(&part.mesh, session);
+            let radii = values.map(|value| scales.lengths.radius(value, full));
+            let lobe = DrawnLobe::of(&part.mesh, radii.collect());
+            (part, lobe)
         };
-        let all = parts
-            .into_iter()
-            .zip(values)
-            .map(|(part, values)| {
-                let lobe = DrawnLobe::of(&part.mesh, radii(values));
-                (part, lobe)
-            })
-            .collect();
-        Self { all, peak }
+        Self {
+            all: parts.into_iter().enumerate().map(lobe).collect(),
+            full: scales.shared(),
+        }
     }
 
-    /// The luminance (times the cosine, if shown so) of the longest radius, in 1/sr.
-    pub(super) fn peak(&self) -> f64 {
-        self.peak
+    /// The luminance (times the cosine, if shown so) of the full radius, in 1/sr, where all lobes share it.
+    pub(super) fn full(&self) -> Option<f64> {
+        self.full
+    }
+
+    /// The longest radius of each lobe.
+    pub(super) fn radii(&self) -> impl Iterator<Item = (EntryId, f64)> {
+        self.all.iter().map(|(part, lobe)| {
+            let highest = lobe.highest().map_or(0.0, |(radius, _)| radius);
+            (part.material, highest)
+        })
     }
 
     /// Every delta with the colour of its material.
@@ -120,16 +121,56 @@ impl Lobes {
 }
 
 /// What the radii of a mesh stand for, vertex by vertex.
-fn shown_values(mesh: &Mesh, session: &Session) -> Vec<f64> {
-    let shown = |vertex: &lobe3d::Vertex| {
-        let cosine = if session.with_cosine {
+fn shown_values<'a>(mesh: &'a Mesh, session: &Session) -> impl Iterator<Item = f64> + use<'a> {
+    let with_cosine = session.with_cosine;
+    let shown = move |vertex: &lobe3d::Vertex| {
+        let cosine = if with_cosine {
             vertex.direction.z.abs()
         } else {
             1.0
         };
         Channel::Luminance.of(vertex.value) * cosine
     };
-    mesh.vertices.iter().map(shown).collect()
+    mesh.vertices.iter().map(shown)
+}
+
+/// The largest value of a mesh.
+pub(super) fn peak(mesh: &Mesh, session: &Session) -> f64 {
+    shown_values(mesh, session).fold(0.0, f64::max)
+}
+
+/// Which value has the full radius.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Scales {
+    /// In proportion, or by decades.
+    pub(super) lengths: RadialScale,
+    /// The value: one for all lobes, or one for each.
+    pub(super) full: Full,
+}
+
+/// The value at the full radius.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Full {
+    /// That of all lobes; 0 where all are 0.
+    Shared(f64),
+    /// Those of the lobes, in their order.
+    Each(Vec<f64>),
+}
+
+impl Scales {
+    fn full_of(&self, lobe: usize) -> f64 {
+        match &self.full {
+            Full::Shared(full) => *full,
+            Full::Each(all) => all.get(lobe).copied().unwrap_or(0.0),
+        }
+    }
+
+    pub(super) fn shared(&self) -> Option<f64> {
+        match self.full {
+            Full::Shared(full) if full > 0.0 => Some(full),
+            _ => None,
+        }
+    }
 }
 
 /// A lobe's surface in the scene's coordinates.
@@ -294,7 +335,7 @@ mod tests {
     use bxdf_lab::analysis::deltas::Arrows;
     use bxdf_study::answers::Answers;
     use bxdf_study::session::MaterialEntry;
-    use bxdf_study::views::lobe3d::request;
+    use bxdf_study::views::lobe3d::Options;
 
     fn lobes(session: &Session) -> Lobes {
         let mut answers = Answers::at_once();
@@ -302,10 +343,16 @@ mod tests {
             material: entry.id(),
             title: entry.title(),
             color: Color32::WHITE,
-            mesh: answers.ask(session, entry, request(session)),
+            mesh: answers.ask(session, entry, Options::default().request(session)),
             arrows: answers.ask(session, entry, Arrows),
         };
-        Lobes::of(session.materials.shown().map(part).collect(), session)
+        let parts: Vec<Part> = session.materials.shown().map(part).collect();
+        let peaks = parts.iter().map(|part| peak(&part.mesh, session));
+        let scales = Scales {
+            lengths: RadialScale::Linear,
+            full: Full::Shared(peaks.fold(0.0, f64::max)),
+        };
+        Lobes::of(parts, session, &scales)
     }
 
     #[test]
@@ -323,7 +370,7 @@ mod tests {
             origin: Vec3::new(0.1, 0.05, 0.5),
             direction: Vec3::NEG_Z,
         };
-        assert!((lobes.peak() - 0.8 / std::f64::consts::PI).abs() < 1e-12);
+        assert!((lobes.full().unwrap() - 0.8 / std::f64::consts::PI).abs() < 1e-12);
         assert_eq!(lobes.hit(&inward).unwrap().1, dark, "a quarter as long");
         let down = Ray {
             origin: Vec3::new(0.1, 0.05, 3.0),
@@ -361,7 +408,7 @@ mod tests {
     fn a_ray_meets_a_lambertian_lobe_where_it_should() {
         let session = Session::of("lambertian_reflection".parse().unwrap());
         let lobes = lobes(&session);
-        assert!((lobes.peak() - 0.8 / std::f64::consts::PI).abs() < 1e-12);
+        assert!((lobes.full().unwrap() - 0.8 / std::f64::consts::PI).abs() < 1e-12);
         let down = Ray {
             origin: Vec3::new(0.1, 0.05, 3.0),
             direction: Vec3::NEG_Z,

@@ -6,14 +6,14 @@ use std::sync::Arc;
 use egui::{Align2, Color32, Pos2, Rect, Stroke, Ui, vec2};
 use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
-use super::radial::{Radial, at};
+use super::radial::{Radial, Rings, at};
 use crate::theme;
 use crate::theme::Dash;
 use crate::widgets::{chart, deltas, draw};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::polar::{self, Point};
 use bxdf_study::format;
-use bxdf_study::session::{Curves, PaletteIndex, Section, Session};
+use bxdf_study::session::{Curves, EntryId, PaletteIndex, Section, Session};
 
 /// Radius of the angle labels.
 const ANGLE_LABEL_RADIUS: f64 = 1.075;
@@ -23,6 +23,8 @@ const NAME_RADIUS: f64 = 1.15;
 const NOTE_WIDTH: f32 = 0.27;
 /// Names nearer to one another than this, in radians, would overlap.
 const NAME_SPACING: f64 = 0.16;
+/// Plots that are narrower, in points, have every other angle and the outermost ring alone numbered.
+const SMALL_WIDTH: f32 = 300.0;
 /// Spacing of the angle rays.
 const RAY_STEP_DEG: i32 = 15;
 
@@ -36,13 +38,13 @@ fn line<'a>(points: impl IntoIterator<Item = [f64; 2]>, stroke: impl Into<Stroke
 
 pub(super) fn draw_grid(
     plot_ui: &mut PlotUi<'_>,
-    radial: &Radial,
+    rings: &Rings,
     palette: &theme::Palette,
     has_lower: bool,
 ) {
     let sweep = if has_lower { PI } else { FRAC_PI_2 };
-    for tick in &radial.ticks {
-        let radius = radial.radius(*tick);
+    for tick in &rings.ticks {
+        let radius = rings.radius(*tick);
         let angles = (-90..=90).map(|i| f64::from(i) / 90.0 * sweep);
         plot_ui.line(line(
             angles.map(|angle| at(radius, angle)),
@@ -59,9 +61,11 @@ pub(super) fn draw_grid(
 
 /// A material as the plot draws it.
 pub(super) struct Plotted {
+    pub(super) entry: EntryId,
     pub(super) slot: PaletteIndex,
     pub(super) is_selected: bool,
     pub(super) section: Arc<polar::Section>,
+    pub(super) radial: Radial,
 }
 
 fn arcs(section: &polar::Section) -> impl Iterator<Item = &Vec<Point>> {
@@ -85,9 +89,9 @@ pub(super) fn draw_curves(
     plot_ui: &mut PlotUi<'_>,
     session: &Session,
     plotted: &Plotted,
-    radial: &Radial,
     palette: &theme::Palette,
 ) {
+    let radial = &plotted.radial;
     for channel in session.shown_curves().channels() {
         let style = chart::style(Dash::of_channel(*channel, plotted.slot));
         for arc in arcs(&plotted.section) {
@@ -159,13 +163,7 @@ impl Canvas<'_> {
     }
 
     /// Tints the area inside the curve, as a fan about the origin: a lobe is star-shaped by construction.
-    pub(super) fn fill(
-        &self,
-        session: &Session,
-        plotted: &Plotted,
-        radial: &Radial,
-        palette: &theme::Palette,
-    ) {
+    pub(super) fn fill(&self, session: &Session, plotted: &Plotted, palette: &theme::Palette) {
         if session.shown_curves() != Curves::Luminance {
             return;
         }
@@ -176,7 +174,7 @@ impl Canvas<'_> {
             for (index, point) in arc.iter().enumerate() {
                 mesh.colored_vertex(
                     self.position(
-                        radial.radius(Channel::Luminance.of(point.value)),
+                        plotted.radial.radius(Channel::Luminance.of(point.value)),
                         point.angle,
                     ),
                     color,
@@ -189,7 +187,7 @@ impl Canvas<'_> {
         }
     }
 
-    pub(super) fn label_grid(&self, radial: &Radial, palette: &theme::Palette, has_lower: bool) {
+    pub(super) fn label_grid(&self, rings: &Rings, palette: &theme::Palette, has_lower: bool) {
         let painter = self.painter();
         let text = |position: Pos2, anchor: Align2, text: String| {
             painter.text(
@@ -201,8 +199,14 @@ impl Canvas<'_> {
             );
         };
         let limit: i32 = if has_lower { 180 } else { 90 };
+        let is_small = self.transform.frame().width() < SMALL_WIDTH;
+        let step = if is_small {
+            2 * RAY_STEP_DEG
+        } else {
+            RAY_STEP_DEG
+        };
         for angle_deg in (-limit..=limit)
-            .step_by(RAY_STEP_DEG as usize)
+            .step_by(step as usize)
             .filter(|a| *a != -180)
         {
             let angle = f64::from(angle_deg).to_radians();
@@ -213,15 +217,25 @@ impl Canvas<'_> {
             );
         }
         let below = vec2(0.0, 4.0);
-        for tick in &radial.ticks {
-            let place = self.position(radial.radius(*tick), FRAC_PI_2) + below;
+        let skipped = if is_small {
+            rings.ticks.len().saturating_sub(1)
+        } else {
+            0
+        };
+        let of_value = |tick: &f64| rings.radius(*tick);
+        let mut ticks = rings.ticks.clone();
+        ticks.sort_by(|a, b| of_value(a).total_cmp(&of_value(b)));
+        for tick in ticks.iter().skip(skipped) {
+            let place = self.position(rings.radius(*tick), FRAC_PI_2) + below;
             text(place, Align2::CENTER_TOP, format::value(*tick));
         }
-        text(
-            self.position(0.5, -FRAC_PI_2) + below,
-            Align2::CENTER_TOP,
-            radial.quantity.to_owned(),
-        );
+        if !is_small {
+            text(
+                self.position(0.5, -FRAC_PI_2) + below,
+                Align2::CENTER_TOP,
+                rings.quantity.clone(),
+            );
+        }
     }
 
     pub(super) fn name_directions(

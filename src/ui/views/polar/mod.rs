@@ -1,18 +1,20 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
-use egui::{IdSalt, Ui, vec2};
+use egui::{IdSalt, Rect, Ui, UiBuilder, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::context::ViewContext;
+use super::{kept_scale, settings};
 use crate::theme::Dash;
 use crate::widgets::legend::{self, Swatch};
-use crate::widgets::{draw, handle, reset};
-use bxdf_lab::analysis::{deltas, polar};
+use crate::widgets::{draw, handle, pictures, reset};
+use bxdf_lab::analysis::{RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{MaterialEntry, wrapped_deg};
+use bxdf_study::views::Arrangement;
 use bxdf_study::views::polar::Options;
 use canvas::{Canvas, Plotted};
-use radial::{Radial, at};
+use radial::{Radial, Rings, at};
 
 mod canvas;
 mod radial;
@@ -22,17 +24,128 @@ const SIDE_ROOM: f64 = 0.4;
 const TOP_ROOM: f64 = 0.27;
 /// Below the horizon, where nothing is drawn but the labels of the scale.
 const LOWER_ROOM: f64 = 0.16;
+/// The same in points, where that is more.
+const LOWER_POINTS: f64 = 18.0;
 /// How far the plot's part of the plane may be from what it is at first, as a share of its width, by rounding to pixels alone.
 const WINDOW_SLACK: f64 = 0.005;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Swatch::Line, cx.session, cx.palette);
-    let plotted = plotted(cx);
-    let has_deltas = plotted.iter().any(|one| !one.section.stems.is_empty());
-    let sections = plotted.iter().map(|one| &*one.section);
-    let radial = Radial::of(cx.session, sections, has_deltas);
+    let mut plotted = plotted(cx);
+    let shared = scale_all(ui, cx, &mut plotted);
+    settings::row(ui, cx, |ui, cx| {
+        let Options {
+            mut scale,
+            mut arrangement,
+            ..
+        } = *cx.options;
+        settings::scale(ui, cx, &mut scale, shared);
+        settings::arrangement(ui, cx, &mut arrangement);
+        (cx.options.scale, cx.options.arrangement) = (scale, arrangement);
+        settings::cosine(ui, cx);
+        settings::section(ui, cx);
+        settings::curves(ui, cx);
+    });
+    if cx.options.arrangement == Arrangement::Overlaid || plotted.len() < 2 {
+        legend::show(ui, Swatch::Line, cx.session, cx.palette);
+        let room = ui.available_rect_before_wrap();
+        show_plot(ui, cx, &plotted, shared);
+        offer_peaks(ui, cx, &plotted, room);
+        return;
+    }
+    // In the order of the list: the selected one is last for the sake of overlaid curves alone.
+    plotted.sort_by_key(|one| one.slot);
+    let room = ui.available_rect_before_wrap();
+    let aspect = aspect(cx.state.shows_lower_half(cx.session));
+    let cells = pictures::cells(room, plotted.len(), aspect);
+    for (cell, one) in cells.into_iter().zip(plotted) {
+        pictures::title(ui, cell, one.entry, cx.session, cx.palette);
+        let scope = UiBuilder::new().max_rect(cell.picture).id_salt(one.entry);
+        ui.scope_builder(scope, |ui| show_plot(ui, cx, &[one], shared));
+    }
+    ui.advance_cursor_after_rect(room);
+}
+
+/// The radial scale of each material, 1 at the unit circle; the value there, where it is that of all.
+fn scale_all(ui: &Ui, cx: &mut ViewContext<'_, Options>, plotted: &mut [Plotted]) -> Option<f64> {
+    let (scale, channels) = (cx.options.scale, cx.session.shown_curves().channels());
+    let mut largest = 0.0_f64;
+    for one in &mut *plotted {
+        let peak = radial::peak(&one.section, channels);
+        largest = largest.max(peak);
+        if scale.is_each_to_peak {
+            // The curve itself touches the circle, not the next ring.
+            let full = kept_scale::full(ui, cx, scale, Some(one.entry), peak);
+            one.radial = Radial::new(scale.lengths, full);
+        }
+    }
+    if scale.is_each_to_peak {
+        return None;
+    }
+    let wanted = if largest > 0.0 {
+        radial::full(scale.lengths, largest)
+    } else {
+        0.0
+    };
+    let full = kept_scale::full(ui, cx, scale, None, wanted);
+    for one in plotted {
+        one.radial = Radial::new(scale.lengths, full);
+    }
+    (full > 0.0).then_some(full)
+}
+
+/// Offers to show each lobe to its peak, where one is too small to be seen.
+fn offer_peaks(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, plotted: &[Plotted], room: Rect) {
+    let channels = cx.session.shown_curves().channels();
+    let radii = plotted.iter().map(|one| {
+        let radius = one.radial.radius(radial::peak(&one.section, channels));
+        (one.entry, radius)
+    });
+    let small = settings::smallest(cx, radii);
+    let mut scale = cx.options.scale;
+    settings::offer_peaks(ui, cx, &mut scale, small, room);
+    cx.options.scale = scale;
+}
+
+/// The rings behind curves. `shared`: the value at the unit circle, where it is that of all.
+fn rings(cx: &ViewContext<'_, Options>, plotted: &[Plotted], shared: Option<f64>) -> Rings {
+    let lengths = cx.options.scale.lengths;
+    let quantity = if cx.session.with_cosine {
+        "f cos θ"
+    } else {
+        "f"
+    };
+    let channels = cx.session.shown_curves().channels();
+    let peaks = plotted
+        .iter()
+        .map(|one| radial::peak(&one.section, channels));
+    let peak = peaks.fold(0.0, f64::max);
+    if peak <= 0.0 {
+        let has_deltas = plotted.iter().any(|one| !one.section.stems.is_empty());
+        // Deltas alone: the rings count shares of the light. Nothing at all: any scale will do.
+        let quantity = if has_deltas {
+            "share of the flux".to_owned()
+        } else {
+            format!("{quantity} in 1/sr")
+        };
+        return Rings::of_shares(RadialScale::Linear, &quantity);
+    }
+    match (shared, plotted) {
+        (Some(full), _) => Rings::of(Radial::new(lengths, full), &format!("{quantity} in 1/sr")),
+        (None, [one]) => Rings::of(one.radial, &format!("{quantity} in 1/sr")),
+        (None, _) => Rings::of_shares(lengths, &format!("{quantity} over its peak")),
+    }
+}
+
+/// The plot of one material or several, in the room that is left.
+fn show_plot(
+    ui: &mut Ui,
+    cx: &mut ViewContext<'_, Options>,
+    plotted: &[Plotted],
+    shared: Option<f64>,
+) {
+    let rings = rings(cx, plotted, shared);
     let has_lower = cx.state.shows_lower_half(cx.session);
     let window = window(ui.available_size(), has_lower);
     let salt = ("polar", has_lower);
@@ -60,9 +173,9 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
             plot_ui.set_auto_bounds(true);
         }
         draw::zoom_by_scrolling(plot_ui);
-        canvas::draw_grid(plot_ui, &radial, &palette, has_lower);
-        for one in &plotted {
-            canvas::draw_curves(plot_ui, cx.session, one, &radial, &palette);
+        canvas::draw_grid(plot_ui, &rings, &palette, has_lower);
+        for one in plotted {
+            canvas::draw_curves(plot_ui, cx.session, one, &palette);
         }
         canvas::draw_directions(plot_ui, cx.session, section, &palette);
     });
@@ -73,16 +186,16 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     // Of several only the selected one is filled: tints laid over each other are no colour of any.
     let is_only = plotted.len() == 1;
     for one in plotted.iter().filter(|one| one.is_selected || is_only) {
-        canvas.fill(cx.session, one, &radial, &palette);
+        canvas.fill(cx.session, one, &palette);
     }
-    canvas.label_grid(&radial, &palette, has_lower);
+    canvas.label_grid(&rings, &palette, has_lower);
     canvas.name_directions(cx.session, section, &palette);
     canvas.name_curves(cx.session, &palette);
     let mut taken = Vec::new();
-    for one in &plotted {
+    for one in plotted {
         canvas.draw_arrows(one, &mut taken, &palette);
     }
-    if let Some(note) = note(cx, &plotted) {
+    if let Some(note) = note(cx, plotted) {
         canvas.note(note, &palette);
     }
     let transform = response.transform;
@@ -90,7 +203,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if drag_held(ui, cx, &transform) {
         cx.state.keep_arrangement(has_lower);
     } else {
-        read_out(ui, cx, &response.response, &transform, &radial, has_lower);
+        read_out(ui, cx, &response.response, &transform, plotted, has_lower);
     }
     if !response.response.hovered() {
         mark_cursor(ui, cx, &transform);
@@ -132,9 +245,11 @@ fn plotted(cx: &mut ViewContext<'_, Options>) -> Vec<Plotted> {
     let selected = session.materials.selected().id();
     let request = cx.options.request(session);
     let plot = |entry: &MaterialEntry| Plotted {
+        entry: entry.id(),
         slot: entry.slot(),
         is_selected: entry.id() == selected,
         section: answers.ask(session, entry, request),
+        radial: Radial::new(request.scale, 0.0),
     };
     let mut plotted: Vec<Plotted> = session.materials.shown().map(plot).collect();
     plotted.sort_by_key(|one| one.is_selected);
@@ -163,11 +278,24 @@ fn note(cx: &ViewContext<'_, Options>, plotted: &[Plotted]) -> Option<&'static s
     }
 }
 
+/// Width over height of the part of the plane that holds the circle (or its upper half) with its labels.
+fn aspect(has_lower: bool) -> f32 {
+    let high = 1.0 + TOP_ROOM;
+    let low = if has_lower { high } else { 1.4 * LOWER_ROOM };
+    (2.0 * (1.0 + SIDE_ROOM) / (high + low)) as f32
+}
+
 /// The smallest part of the plot's plane of this shape that holds the circle (or its upper half) with its labels.
 fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
     let (right, top) = (1.0 + SIDE_ROOM, 1.0 + TOP_ROOM);
-    let bottom = if has_lower { -top } else { -LOWER_ROOM };
     let (width, height) = (f64::from(size.x.max(1.0)), f64::from(size.y.max(1.0)));
+    // The numbers below the horizon are as high in a small plot as in a large one.
+    let numbers = LOWER_POINTS * 2.0 * right / width;
+    let bottom = if has_lower {
+        -top
+    } else {
+        -LOWER_ROOM.max(numbers)
+    };
     let per_point = (2.0 * right / width).max((top - bottom) / height);
     let (half_width, half_height) = (0.5 * width * per_point, 0.5 * height * per_point);
     let middle = f64::midpoint(top, bottom);
@@ -212,7 +340,7 @@ fn read_out(
     cx: &mut ViewContext<'_, Options>,
     plot: &egui::Response,
     transform: &PlotTransform,
-    radial: &Radial,
+    plotted: &[Plotted],
     has_lower: bool,
 ) {
     let Some(pointer) = plot.hover_pos() else {
@@ -224,8 +352,22 @@ fn read_out(
         return;
     }
     let angle = place.x.atan2(place.y);
-    let entry = cx.session.materials.selected();
-    let slot = entry.slot();
+    let materials = &cx.session.materials;
+    let selected = materials.selected().id();
+    let of_selected = plotted.iter().find(|one| one.is_selected);
+    let Some(one) = of_selected.or(plotted.first()) else {
+        return;
+    };
+    // Where the selected one is hidden, its value is read all the same.
+    let read = if plotted.len() == 1 {
+        one.entry
+    } else {
+        selected
+    };
+    let Some(entry) = materials.get(read) else {
+        return;
+    };
+    let (slot, radial) = (entry.slot(), one.radial);
     let cursor = Cursor {
         material: entry.id(),
         direction: polar::direction(angle, cx.options.request(cx.session).phi),

@@ -3,6 +3,7 @@
 use egui::Ui;
 
 use super::context::ViewContext;
+use super::settings;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
 use bxdf_study::views::sampling::{Options, Plot, SAMPLES_LOG2, SEED};
@@ -12,7 +13,7 @@ mod discs;
 mod studies;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.options);
+    settings::show(ui, cx, |ui, cx| controls(ui, cx.options));
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;

@@ -6,6 +6,7 @@ use egui::{Align2, ColorImage, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2
 use glam::DVec3;
 
 use super::context::ViewContext;
+use super::settings;
 use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
@@ -26,7 +27,7 @@ use place::position;
 const MARGIN: f32 = 0.08;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.session, cx.options);
+    settings::show(ui, cx, |ui, cx| controls(ui, cx.session, cx.options));
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
