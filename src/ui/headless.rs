@@ -41,9 +41,19 @@ impl Picture {
     /// there as shapes.
     #[must_use]
     pub fn shapes(self) -> Harness<'static, App> {
+        self.undrawn(App::for_picture)
+    }
+
+    /// The running application, settled, as a hand finds it at the screen, on a machine that need not be able to draw.
+    #[must_use]
+    pub fn controls(self) -> Harness<'static, App> {
+        self.undrawn(|app| app)
+    }
+
+    fn undrawn(self, prepare: impl FnOnce(App) -> App) -> Harness<'static, App> {
         let builder = self.builder();
         let mut harness =
-            builder.build_eframe(|cc| App::new(cc, self.session, self.only, None).for_picture());
+            builder.build_eframe(|cc| prepare(App::new(cc, self.session, self.only, None)));
         harness.run_ok();
         harness
     }

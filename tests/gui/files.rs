@@ -182,7 +182,7 @@ fn files_that_cannot_be_read_are_told_of_and_the_session_stays() {
     work_in(&mut harness, &folder);
     let before = harness.state().session.clone();
     let whole = before.to_toml().unwrap();
-    let newer = whole.replace("version = 2", "version = 9");
+    let newer = whole.replace("version = 3", "version = 9");
     for (name, bytes, said) in [
         ("letter.txt", &b"Dear all,\nsee below."[..], "line 1"),
         ("picture.png", b"\x89PNG\xff", "no text"),

@@ -16,7 +16,7 @@ use super::{choose, material, picture, session};
 const VIEW: &str = "fresnel";
 
 fn alone(shown: Session, size: [u32; 2]) -> Harness<'static, App> {
-    picture(shown, Some(VIEW), size, Theme::Dark).shapes()
+    picture(shown, Some(VIEW), size, Theme::Dark).controls()
 }
 
 fn options(harness: &Harness<'_, App>) -> fresnel::Options {
@@ -45,7 +45,7 @@ const GLASS: &str = "fresnel_specular:eta=1.5";
 #[test]
 fn brewster_s_and_the_critical_angle_are_marked() {
     let mut harness = alone(session(&[GLASS]), [800, 500]);
-    assert!(paints(&harness, "Brewster 56.31°") && !paints(&harness, "critical"));
+    assert!(paints(&harness, "Brewster 56.31°") && !paints(&harness, "critical 4"));
     choose(&mut harness, "From", "Below");
     assert_eq!(options(&harness).seen_from, fresnel::SeenFrom::Below);
     assert!(paints(&harness, "Brewster 33.69°") && paints(&harness, "critical 41.81°"));
@@ -145,7 +145,7 @@ fn without_an_interface_an_index_is_typed() {
         assert_eq!(options(&harness).own_n, 2.42);
         enter(&mut harness, "Own n", "1");
         harness.run();
-        assert!(!paints(&harness, "Brewster") && !paints(&harness, "critical"));
+        assert!(!paints(&harness, "Brewster") && !paints(&harness, "critical 4"));
         assert!(paints(&harness, "nothing is reflected"));
         enter(&mut harness, "Own k", "3");
         harness.run();

@@ -264,7 +264,7 @@ fn a_light_below_opaque_materials_is_told_with_a_way_back() {
         };
         let text = "The light is below the surface, and nothing shown lets light through: \
             all values above it are 0";
-        let mut harness = picture(below.clone(), Some(view.id), [640, 480], Theme::Dark).shapes();
+        let mut harness = picture(below.clone(), Some(view.id), [640, 480], Theme::Dark).controls();
         let is_told = harness.query_by_label(text).is_some();
         assert_eq!(is_told, Options::of(view).is_of_held(), "{}", view.id);
         assert_eq!(harness.state().session.theta_deg, 120.0, "{}", view.id);
@@ -278,7 +278,7 @@ fn a_light_below_opaque_materials_is_told_with_a_way_back() {
             materials: session(&["fresnel_specular"]).materials,
             ..below
         };
-        let harness = picture(clear, Some(view.id), [640, 480], Theme::Dark).shapes();
+        let harness = picture(clear, Some(view.id), [640, 480], Theme::Dark).controls();
         assert!(harness.query_by_label(text).is_none(), "{}", view.id);
     }
 }

@@ -271,7 +271,7 @@ fn every_number_of_every_view_is_typed() {
             shown
                 .views
                 .each(|plot: &mut cartesian::Options| plot.abscissa = abscissa);
-            let mut harness = picture(shown, Some(view.id), [640, 480], Theme::Dark).shapes();
+            let mut harness = picture(shown, Some(view.id), [640, 480], Theme::Dark).controls();
             for name in fields(&harness) {
                 let is_it = |field: &&Field| field.0 == view.id && field.1 == name;
                 let field = listed.iter().find(is_it);
@@ -303,7 +303,7 @@ fn the_own_section_of_every_view_that_has_one_is_typed() {
         let options = shown.views.get_mut(id).unwrap();
         if let Some(section) = options.own_section() {
             section.0 = Some(10.0);
-            let mut harness = picture(shown, Some(view.id), [640, 480], Theme::Dark).shapes();
+            let mut harness = picture(shown, Some(view.id), [640, 480], Theme::Dark).controls();
             try_field(&mut harness, &field, |app: &App| &app.session);
             found += 1;
         }

@@ -44,6 +44,8 @@ pub fn section(ui: &mut Ui, session: &mut Session) -> Response {
                 ui.selectable_value(&mut is_free, choice, title(choice));
             }
         });
+    ui.ctx()
+        .accesskit_node_builder(combo.response.id, |node| node.set_label("Section"));
     match (is_free, session.section_phi_deg) {
         (true, None) => session.section_phi_deg = Some(session.section().azimuth_deg),
         (false, Some(_)) => session.section_phi_deg = None,
