@@ -281,6 +281,29 @@ fn pictures_and_tests_have_no_files() {
 }
 
 #[test]
+fn what_of_the_panel_is_folded_is_kept_for_the_next_run() {
+    let folder = Folder::new("side");
+    let is_folded = |harness: &Harness<'_, App>| harness.query_by_label("Your materials").is_none();
+    let is_all_shown = |harness: &Harness<'_, App>| harness.query_by_label("Masking").is_some();
+    let mut harness = window_of(&["rough_conductor"]);
+    work_in(&mut harness, &folder);
+    harness.run();
+    assert!(!is_folded(&harness) && !is_all_shown(&harness));
+    harness.get_by_label("More parameters").click();
+    harness.run();
+    press(&mut harness, Modifiers::COMMAND, Key::B);
+    harness.run();
+    assert!(is_folded(&harness));
+    let mut other = window_of(&["rough_conductor"]);
+    work_in(&mut other, &folder);
+    other.run();
+    assert!(is_folded(&other));
+    press(&mut other, Modifiers::COMMAND, Key::B);
+    other.run();
+    assert!(!is_folded(&other) && is_all_shown(&other));
+}
+
+#[test]
 fn the_theme_is_the_systems_until_one_is_chosen_and_then_kept() {
     let folder = Folder::new("theme");
     let preference = |harness: &Harness<'_, App>| {

@@ -143,6 +143,11 @@ impl Command {
         self.show(ui, app, Button::new(self.title))
     }
 
+    /// A button for it that shows `icon` in place of its name. Returns whether it is clicked.
+    pub fn icon(&self, ui: &mut Ui, app: &App, icon: &str) -> bool {
+        self.show(ui, app, Button::new(icon))
+    }
+
     /// An entry of a menu for it, which closes the menu. Returns whether it is clicked.
     pub fn menu_item(&self, ui: &mut Ui, app: &App) -> bool {
         let mut button = Button::new(self.title);

@@ -45,6 +45,18 @@ pub static ADD: Command = Command {
     )
 };
 
+/// Replaces the selected material by the next choice of the picker.
+pub static CHANGE: Command = command(
+    Group::Materials,
+    [
+        "change",
+        "Change…",
+        "Choose another model or material in place of the selected one",
+    ],
+    &[key(CTRL_SHIFT, Key::M)],
+    App::start_changing,
+);
+
 /// Duplicates the selected material.
 pub static DUPLICATE: Command = Command {
     is_enabled: has_room,
@@ -139,13 +151,13 @@ pub static NEXT: Command = Command {
 
 /// Holds the other direction.
 pub static HOLD: Command = Command {
-    state: Some(|app| format!("Held: {}", app.session.held_name())),
+    state: Some(|app| format!("Fixed: {}", app.session.held_name())),
     ..command(
         Group::View,
         [
             "hold",
-            "Hold the light or the viewer",
-            "Switch between holding the light and the viewer",
+            "Fix the light or the viewer",
+            "Switch between fixing the light and the viewer",
         ],
         &[key(PLAIN, Key::H)],
         |app, _| {
@@ -256,6 +268,18 @@ pub static OWN_SECTION: Command = Command {
     )
 };
 
+/// Folds the panel at the side, or unfolds it.
+pub static FOLD: Command = command(
+    Group::View,
+    [
+        "fold",
+        "Fold the side panel",
+        "Fold the panel at the side to icons, or unfold it",
+    ],
+    &[key(CTRL, Key::B)],
+    App::fold_side,
+);
+
 /// Searches the commands.
 pub static SEARCH: Command = command(
     Group::Help,
@@ -280,7 +304,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 24] = [
+pub static COMMANDS: [&Command; 26] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -291,6 +315,7 @@ pub static COMMANDS: [&Command; 24] = [
     &UNDO,
     &REDO,
     &ADD,
+    &CHANGE,
     &DUPLICATE,
     &REMOVE,
     &SOLO,
@@ -303,6 +328,7 @@ pub static COMMANDS: [&Command; 24] = [
     &ANGLES,
     &DUPLICATE_VIEW,
     &OWN_SECTION,
+    &FOLD,
     &SEARCH,
     &HELP,
 ];
