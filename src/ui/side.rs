@@ -69,17 +69,21 @@ impl App {
             .id_salt("parameters")
             .auto_shrink([false, false]);
         area.show(ui, |ui| {
-            // The scroll bar must not lie over the reset buttons.
-            ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
+            // The scroll bar must not lie over the reset buttons. The badges end in words: they need all of the line.
+            let width = ui.available_width() - theme::SCROLL_ROOM;
+            let title = self.session.materials.title(&before);
+            let material = &mut edited.material;
             ui.push_id(before.id(), |ui| {
-                let title = self.session.materials.title(&before);
-                let material = &mut edited.material;
-                components::describe(ui, material, |ui| {
-                    is_changing = commands::CHANGE.button(ui, self);
+                ui.scope(|ui| {
+                    ui.set_max_width(width);
+                    components::describe(ui, material, |ui| {
+                        is_changing = commands::CHANGE.button(ui, self);
+                    });
                 });
                 let clicked =
                     badges::show(ui, &title, &before, material, &mut self.answers, palette);
                 wished = clicked.or(wished.take());
+                ui.set_max_width(width);
                 let Session {
                     materials, locked, ..
                 } = &mut self.session;

@@ -1,9 +1,12 @@
 //! The bar at the bottom: one line, whatever the window; what does not fit is behind its last button.
 
-use brdf_explorer::study::session::Session;
+use brdf_explorer::study::answers::{Answers, Progress};
+use brdf_explorer::study::session::{SHARES, Session};
 use brdf_explorer::ui::app::App;
-use brdf_explorer::ui::theme;
-use egui::{Key, Rect, Role, Theme};
+use brdf_explorer::ui::theme::{self, Palette};
+use brdf_explorer::ui::widgets::bottom::Bar;
+use brdf_explorer::ui::widgets::shares::Energy;
+use egui::{Key, Rect, Role, Theme, Ui, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -14,17 +17,32 @@ fn window_of(material: &str, size: [u32; 2]) -> Harness<'static, App> {
     picture(session(&[material]), None, size, Theme::Dark).shapes()
 }
 
-/// Where the controls of the bar stand, from left to right.
-fn controls(harness: &Harness<'_, App>) -> Vec<Rect> {
-    let height = harness.ctx.content_rect().height();
+/// The bar alone, in so wide a window, with the light of this material.
+fn bar_of(material: &str, width: f32) -> Harness<'static, Session> {
+    let shown = session(&[material]);
+    let mut answers = Answers::at_once();
+    let shares = answers.ask(&shown, shown.materials.selected(), SHARES);
+    let palette = Palette::of(Theme::Dark);
+    let show = move |ui: &mut Ui, session: &mut Session| {
+        let bar = Bar {
+            cursor: None,
+            energy: Energy::of(&shares, &palette),
+            progress: Progress::Complete(None),
+        };
+        bar.show(ui, session);
+    };
+    Harness::builder()
+        .with_size(vec2(width, theme::BAR_HEIGHT))
+        .build_ui_state(show, shown)
+}
+
+/// Where the controls stand, from left to right.
+fn controls(harness: &Harness<'_, Session>) -> Vec<Rect> {
     let all = [Role::SpinButton, Role::Slider, Role::Button, Role::Label];
     let all = all
         .into_iter()
         .flat_map(|role| harness.query_all_by_role(role));
-    let all = all.map(|node| node.rect());
-    let mut all: Vec<Rect> = all
-        .filter(|rect| rect.center().y > height - theme::BAR_HEIGHT)
-        .collect();
+    let mut all: Vec<Rect> = all.map(|node| node.rect()).collect();
     all.sort_by(|a, b| a.left().total_cmp(&b.left()));
     all
 }
@@ -33,29 +51,19 @@ const BAR_NUMBERS: [&str; 3] = ["θ from n", "φ from s", "Rotate surface about 
 
 #[test]
 fn nothing_of_the_bar_overlaps_or_leaves_the_window_at_any_width() {
-    for (material, width, height) in [
-        ("gold", 1920, 1080),
-        ("gold", 1280, 800),
-        ("frosted_glass", 1280, 800),
-        ("rough_dielectric", 1024, 640),
-        ("gold", 920, 600),
-        ("gold", 640, 400),
-        // 1280 by 800 at three times the size.
-        ("gold", 427, 267),
-    ] {
-        let harness = window_of(material, [width, height]);
-        let all = controls(&harness);
-        assert!(all.len() > 5, "{width}: {all:?}");
-        let whole = harness.ctx.content_rect();
-        for pair in all.windows(2) {
-            assert!(pair[0].right() <= pair[1].left() + 0.5, "{width}: {pair:?}");
-        }
-        for rect in &all {
-            assert!(whole.contains_rect(*rect), "{width}: {rect:?}");
-            assert!(
-                rect.top() >= whole.bottom() - theme::BAR_HEIGHT,
-                "{width}: {rect:?}"
-            );
+    for material in ["gold", "frosted_glass", super::badges::BRIGHT] {
+        // The last of them are 1280 and 1024 points at three times the size.
+        for width in [1920.0, 1280.0, 1024.0, 920.0, 640.0, 427.0, 341.0] {
+            let harness = bar_of(material, width);
+            let all = controls(&harness);
+            assert!(all.len() > 4, "{width}: {all:?}");
+            for pair in all.windows(2) {
+                let [left, right] = [pair[0].right(), pair[1].left()];
+                assert!(left <= right + 0.5, "{material} {width}: {pair:?}");
+            }
+            let whole = harness.ctx.content_rect();
+            let is_inside = |rect: &Rect| whole.contains_rect(*rect);
+            assert!(all.iter().all(is_inside), "{material} {width}: {all:?}");
         }
     }
 }

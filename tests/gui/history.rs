@@ -88,7 +88,9 @@ fn every_edit_is_undone_and_done_again_within_a_frame() {
         if harness.query_by_label(gesture).is_none() {
             click(&mut harness, "Change…");
         }
-        if harness.get_by_label(gesture).rect().bottom() > 760.0 {
+        // Rows of the list may be out of its sight.
+        let is_row = gesture.starts_with("Menu of");
+        if is_row || harness.get_by_label(gesture).rect().bottom() > 760.0 {
             harness.get_by_label(gesture).scroll_to_me();
             harness.run();
         }

@@ -46,9 +46,10 @@ pub const FOLD_BELOW: f32 = 1100.0;
 /// The height of the bar at the bottom, in points.
 pub const BAR_HEIGHT: f32 = 36.0;
 /// The widths of a slider in that bar, from the least to the most, in points.
-pub const BAR_RAIL: [f32; 2] = [44.0, 96.0];
-/// The least width of the value under the pointer in that bar, in points.
-pub const BAR_VALUE: f32 = 190.0;
+pub const BAR_RAIL: [f32; 2] = [40.0, 96.0];
+/// The least width of the value under the pointer in that bar, in points, of one material and of one of several, whose name
+/// stands before it.
+pub const BAR_VALUE: [f32; 2] = [190.0, 280.0];
 /// The height of a row of the list of materials, in points.
 pub const ROW_HEIGHT: f32 = 32.0;
 /// The diameter of the picture of a material in its row, in points.
@@ -84,7 +85,7 @@ pub const RESET_WIDTH: f32 = 18.0;
 /// The least width of a slider, in points.
 pub const SHORTEST_SLIDER: f32 = 40.0;
 /// The size of the bar of shares, in points.
-pub const SHARE_BAR: Vec2 = Vec2::new(120.0, 12.0);
+pub const SHARE_BAR: Vec2 = Vec2::new(104.0, 12.0);
 /// The size of a sample of a colour in a legend, in points.
 pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
 /// The largest size of the help, in points.
@@ -102,7 +103,7 @@ pub const LEGEND_ROW: f32 = 17.0;
 /// The size of the grip by which a row is dragged, in points.
 pub const GRIP: Vec2 = Vec2::new(10.0, 16.0);
 /// The room between badges, and between the edge and the text of one.
-pub const BADGE_SPACING: (Vec2, Vec2) = (Vec2::new(3.0, 2.0), Vec2::new(2.0, 0.0));
+pub const BADGE_SPACING: (Vec2, Vec2) = (Vec2::new(2.0, 2.0), Vec2::new(1.0, 0.0));
 /// The room between the parts of a row of the list of materials, in points: names need the rest.
 pub const ROW_SPACING: f32 = 3.0;
 /// The height of a badge, in points.

@@ -147,7 +147,11 @@ impl Bar<'_> {
                 let texts = self.energy.texts().into_iter();
                 texts.map(|text| text_width(ui, &text) + gap).sum()
             }
-            Part::Value => theme::BAR_VALUE + gap,
+            Part::Value => {
+                let [of_one, of_several] = theme::BAR_VALUE;
+                let is_named = session.materials.is_overlay();
+                gap + if is_named { of_several } else { of_one }
+            }
         }
     }
 }

@@ -20,8 +20,11 @@ mod row;
 /// move when a material is added. The rest is for the parameters.
 const LIST_SHARE: f32 = 0.2;
 
-/// The fewest and the most rows that are in sight.
+/// The fewest and the most rows that are in sight, where the fewest leave room for the parameters.
 const ROWS: [f32; 2] = [3.0, 8.0];
+
+/// The largest share of the panel's height that the fewest rows may take.
+const LARGEST_SHARE: f32 = 0.4;
 
 /// What the list keeps between frames.
 #[derive(Default)]
@@ -48,8 +51,9 @@ impl MaterialList {
         let mut wished = Vec::new();
         self.thumbnails.keep_those_of(materials);
         let [fewest, most] = ROWS;
-        let rows = (LIST_SHARE * ui.available_height() / theme::ROW_HEIGHT).floor();
-        let height = rows.clamp(fewest, most) * theme::ROW_HEIGHT;
+        let rows_of = |share: f32| (share * ui.available_height() / theme::ROW_HEIGHT).floor();
+        let fewest = fewest.min(rows_of(LARGEST_SHARE)).max(1.0);
+        let height = rows_of(LIST_SHARE).clamp(fewest, most) * theme::ROW_HEIGHT;
         let area = ScrollArea::vertical()
             .id_salt("material list")
             .max_height(height)

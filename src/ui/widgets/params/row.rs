@@ -111,16 +111,8 @@ pub(super) fn show(
             if let Some(ties) = ties {
                 ties.link_button(ui, spec, ordinal);
             }
-            match value {
-                Value::Number(number) => {
-                    let check = |x| check(Value::Number(x));
-                    let label = label(spec);
-                    let known = place.accessible(&label);
-                    let number_of = number_of(spec, &known, &check);
-                    shown.push(field(ui, spec, &number_of, number));
-                }
-                Value::Choice(word) => choice(ui, place, word),
-                Value::Rgb(_) | Value::Bool(_) | Value::Data(_) => {}
+            if let Value::Choice(word) = value {
+                choice(ui, place, word);
             }
         });
         name_label
@@ -147,15 +139,12 @@ fn below(
         Value::Number(number) => {
             let known = place.accessible(&super::words::label(spec));
             let check = |x| check(Value::Number(x));
-            let rail = ui.scope(|ui| {
-                ui.spacing_mut().slider_width = ui.available_width();
-                number_of(spec, &known, &check).rail(ui, number)
-            });
-            let rail = rail.inner;
+            let of_spec = number_of(spec, &known, &check);
+            let row = ui.horizontal(|ui| rail_and_field(ui, spec, &of_spec, number));
+            let (rail, field) = row.inner;
             // The name says more than the label where there are several lobes.
-            rail.labelled_by(label.id)
-                .accessible_name(&known)
-                .on_hover_text(hint(spec));
+            rail.labelled_by(label.id).accessible_name(&known);
+            shown.push(field);
         }
         Value::Rgb(rgb) if spec.is_colour() => {
             let row = ui.horizontal(|ui| colour(ui, place, rgb, check));
@@ -170,11 +159,7 @@ fn below(
                 let letter = CHANNELS.get(index).copied().unwrap_or_default();
                 let row = ui.horizontal(|ui| {
                     ui.label(letter).on_hover_text(hint(spec));
-                    let rest = theme::NUMBER_WIDTH + ui.spacing().item_spacing.x;
-                    let room = ui.available_width() - rest;
-                    ui.spacing_mut().slider_width = room.max(theme::SHORTEST_SLIDER);
-                    number.rail(ui, channel).on_hover_text(hint(spec));
-                    field(ui, spec, &number, channel)
+                    rail_and_field(ui, spec, &number, channel).1
                 });
                 row.inner.explain(ui);
             }
@@ -194,8 +179,18 @@ fn number_of<'a>(
         .check(check)
 }
 
-fn field(ui: &mut Ui, spec: &ParamSpec, number: &Number<'_>, value: &mut f64) -> Shown {
-    number.field(ui, value).on_hover_text(&hint(spec))
+/// The slider, as long as the room before the number is.
+fn rail_and_field(
+    ui: &mut Ui,
+    spec: &ParamSpec,
+    number: &Number<'_>,
+    value: &mut f64,
+) -> (Response, Shown) {
+    let room = ui.available_width() - theme::NUMBER_WIDTH - ui.spacing().item_spacing.x;
+    ui.spacing_mut().slider_width = room.max(theme::SHORTEST_SLIDER);
+    let hint = hint(spec);
+    let rail = number.rail(ui, value).on_hover_text(&hint);
+    (rail, number.field(ui, value).on_hover_text(&hint))
 }
 
 /// The colour with `x` as one of its channels.
@@ -237,7 +232,7 @@ fn choice(ui: &mut Ui, place: Place, word: &mut &'static str) {
     let spec = place.spec;
     let combo_box = ComboBox::from_id_salt(spec.name)
         .selected_text(sentence(word))
-        .width(theme::COMBO_WIDTH)
+        .width(theme::COMBO_WIDTH.min(ui.available_width()))
         .show_ui(ui, |ui| {
             for option in spec.choices {
                 ui.selectable_value(word, option, sentence(option));

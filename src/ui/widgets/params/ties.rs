@@ -2,10 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use egui::{Button, Role, Ui, WidgetInfo};
+use egui::{CornerRadius, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
 
 use super::controls::name;
 use super::words::{accessible, label};
+use crate::theme;
+use crate::widgets::chevron::focus_ring;
 use bxdf::param::ParamSpec;
 
 /// What the button that links a parameter across materials is for.
@@ -32,8 +34,11 @@ impl Ties<'_> {
         }
         let is_linked = self.locked.contains(spec.name);
         let hint = if is_linked { UNLINK } else { LINK };
-        let button = Button::selectable(is_linked, "🔗").small();
-        let response = ui.add(button).on_hover_text(hint);
+        let side = ui.spacing().interact_size.y;
+        let (rect, response) =
+            ui.allocate_exact_size(vec2(theme::RESET_WIDTH, side), Sense::click());
+        paint_link(ui, rect, &response, is_linked);
+        let response = response.on_hover_text(hint);
         let known = accessible(&format!("Link {}", label(spec)), ordinal);
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_linked, &known));
         if response.clicked() && !self.locked.remove(spec.name) {
@@ -48,4 +53,25 @@ impl Ties<'_> {
             .on_hover_text("Move both widths together: the lobe stays isotropic. Unlink them for brushed surfaces");
         name(&checkbox, "Same along s and t", ordinal);
     }
+}
+
+/// Two links of a chain, on a ground of their own while it holds.
+fn paint_link(ui: &Ui, rect: Rect, response: &Response, is_linked: bool) {
+    /// The size of a link, how far each is from the middle, and the width of its line, in points.
+    const LINK: (egui::Vec2, f32, f32) = (vec2(9.0, 6.0), 3.0, 1.3);
+    let (size, aside, width) = LINK;
+    let mut color = ui.style().interact(response).text_color();
+    if is_linked {
+        let ground = Rect::from_center_size(rect.center(), vec2(theme::RESET_WIDTH, 14.0));
+        ui.painter()
+            .rect_filled(ground, 3.0, ui.visuals().selection.bg_fill);
+        color = ui.visuals().strong_text_color();
+    }
+    for side in [-aside, aside] {
+        let link = Rect::from_center_size(rect.center() + vec2(side, 0.0), size);
+        let round = CornerRadius::same(3);
+        ui.painter()
+            .rect_stroke(link, round, (width, color), StrokeKind::Middle);
+    }
+    focus_ring(ui, response);
 }

@@ -47,7 +47,7 @@ impl Cell {
             if let Some(texture) = texture {
                 thumbnails::paint(ui, place, texture, Color32::WHITE);
             }
-            self.name(ui, rect.with_min_y(place.bottom() + GAP), title);
+            self.name(ui, rect.with_min_y(place.bottom() + GAP), &title);
         }
         response.on_hover_text(self.entry.hint())
     }
@@ -69,7 +69,9 @@ impl Cell {
         }
     }
 
-    fn name(&self, ui: &Ui, rect: Rect, title: String) {
+    fn name(&self, ui: &Ui, rect: Rect, title: &str) {
+        // The sides stay together.
+        let title = title.replace(" + ", "\u{a0}+\u{a0}");
         let color = if self.is_selected {
             ui.visuals().strong_text_color()
         } else {

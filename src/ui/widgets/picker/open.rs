@@ -94,9 +94,12 @@ impl Open {
                 framed.inner
             });
         let mut outcome = area.inner;
-        let is_elsewhere = area.response.clicked_elsewhere();
-        outcome.is_left |= is_elsewhere && !std::mem::take(&mut self.is_new);
-        self.is_new = false;
+        if std::mem::take(&mut self.is_new) {
+            // The click that opens it is one elsewhere to the field too, which gives up the focus for it.
+            ctx.memory_mut(|memory| memory.request_focus(field_id()));
+        } else {
+            outcome.is_left |= area.response.clicked_elsewhere();
+        }
         outcome
     }
 
@@ -123,7 +126,7 @@ impl Open {
         let area = ScrollArea::vertical()
             .id_salt(self.list.word())
             .max_height(height)
-            .auto_shrink([false, false]);
+            .auto_shrink([false, true]);
         let clicked = area
             .show(ui, |ui| {
                 self.cells(ui, &found, columns, selected, (thumbnails, answers))
