@@ -9,7 +9,6 @@ use super::parallel::Pool;
 use super::session::{EntryId, MaterialEntry, Session, ViewId};
 use asked::{Asked, Asking, Held};
 use bxdf::Material;
-use bxdf::material::library::Named;
 use bxdf_lab::analysis::{Basis, Detail, Query, Subject};
 
 mod asked;
@@ -33,8 +32,8 @@ pub enum Progress {
 enum Of {
     /// A material of the session.
     Entry(EntryId),
-    /// A named one, which is in no session.
-    Named(&'static str),
+    /// One of the lists of models and named materials, by its id: it is in no session.
+    Listed(&'static str),
 }
 
 /// The answers of one material.
@@ -176,7 +175,7 @@ impl Answers {
             });
             match of {
                 Of::Entry(id) => session.materials.get(*id).is_some(),
-                Of::Named(_) => !answers.slots.is_empty(),
+                Of::Listed(_) => !answers.slots.is_empty(),
             }
         });
     }
@@ -262,14 +261,16 @@ impl Answers {
         self.find(Of::Entry(entry.id()), &entry.material, None, query)
     }
 
-    /// The answer to `query` about a named material, not turned, whatever is held; `None` before there is one.
-    pub fn of_named<Q: Query>(
+    /// The answer to `query` about what is listed by this id, a model or a named material, not turned, whatever is held;
+    /// `None` before there is one.
+    pub fn of_listed<Q: Query>(
         &mut self,
-        named: &'static Named,
+        id: &'static str,
+        material: &Material,
         query: Q,
     ) -> Option<Arc<Q::Answer>> {
         const { assert!(!matches!(Q::BASIS, Basis::Held)) };
-        self.find(Of::Named(named.id), &named.material, Some(0.0), query)
+        self.find(Of::Listed(id), material, Some(0.0), query)
     }
 
     fn find<Q: Query>(

@@ -12,6 +12,7 @@ pub mod headless;
 pub mod pacing;
 pub mod scene3d;
 mod shell;
+mod side;
 pub mod theme;
 pub mod tiles;
 pub mod views;

@@ -2,19 +2,20 @@
 
 use std::path::PathBuf;
 
-use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, ScrollArea, Ui};
+use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, Ui};
 
 use super::app::{App, keys};
 use super::commands::{self, COMMANDS, Command, Group, OPEN, help, search};
 use super::theme::{self, Palette};
 use super::tiles::Wish;
 use super::views::{self, ViewContext};
-use super::widgets::params::Ties;
+use super::widgets::bottom::Bar;
 use super::widgets::search::Outcome;
-use super::widgets::{badges, directions, layouts, options, status};
+use super::widgets::shares::Energy;
+use super::widgets::{layouts, options};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::history::Control;
-use bxdf_study::session::{SHARES, Session, ViewId};
+use bxdf_study::session::{SHARES, ViewId};
 
 impl App {
     fn show_view(&mut self, ui: &mut Ui, view: ViewId, palette: &Palette) {
@@ -47,67 +48,6 @@ impl App {
         }
     }
 
-    fn show_side(&mut self, ui: &mut Ui, palette: &Palette) {
-        ui.add_space(4.0);
-        self.list_header(ui);
-        let Session {
-            materials, locked, ..
-        } = &mut self.session;
-        let listed = self.list.show(ui, materials, &mut self.answers, palette);
-        let mut wished = self.notice.report(listed).flatten();
-        ui.separator();
-        let picked = self.picker.show(ui, materials, &mut self.answers);
-        self.notice.report(picked);
-        ui.separator();
-        let area = ScrollArea::vertical()
-            .id_salt("parameters")
-            .auto_shrink([false, false]);
-        area.show(ui, |ui| {
-            // The scroll bar must not lie over the reset buttons.
-            ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
-            let before = materials.selected().clone();
-            let mut edited = before.clone();
-            let mut ties = Ties {
-                has_linked_widths: &mut edited.has_linked_widths,
-                locked,
-                is_shared: &|spec| materials.is_shared(spec),
-            };
-            ui.push_id(before.id(), |ui| {
-                let title = materials.title(&before);
-                let material = &mut edited.material;
-                let clicked =
-                    badges::show(ui, &title, &before, material, &mut self.answers, palette);
-                wished = clicked.or(wished.take());
-                self.components.show(ui, material, &mut ties);
-            });
-            if edited != before {
-                *materials.selected_mut() = edited;
-                materials.follow(&before, locked);
-            }
-            ui.add_space(4.0);
-        });
-        if let Some(witness) = wished {
-            let selected = self.session.materials.selected().id();
-            self.cursor = Cursor::jump(&mut self.session, selected, &witness).or(self.cursor);
-        }
-    }
-
-    /// The heading of the list, with the commands that add to it.
-    fn list_header(&mut self, ui: &mut Ui) {
-        let mut wished = None;
-        ui.horizontal(|ui| {
-            ui.label(RichText::new("Your materials").strong());
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                for command in [&commands::PASTE, &commands::ADD] {
-                    if command.button(ui, self) {
-                        wished = Some(command);
-                    }
-                }
-            });
-        });
-        self.run(wished, ui.ctx());
-    }
-
     /// The bar at the top: the menu of files, the arrangements, and what is of the whole window.
     fn show_top(&mut self, ui: &mut Ui) {
         let mut wished = None;
@@ -133,7 +73,7 @@ impl App {
                     (&commands::UNDO, "⟲"),
                 ];
                 for (command, sign) in signs {
-                    if command.sign_button(ui, self, sign) {
+                    if command.icon(ui, self, sign) {
                         wished = Some(command);
                     }
                 }
@@ -145,7 +85,8 @@ impl App {
         self.run(wished, ui.ctx());
     }
 
-    fn run(&mut self, wished: Option<&'static Command>, ctx: &Context) {
+    /// Runs what a button asks for.
+    pub(super) fn run(&mut self, wished: Option<&'static Command>, ctx: &Context) {
         if let Some(command) = wished {
             command.try_run(self, ctx);
         }
@@ -207,34 +148,24 @@ impl App {
         self.said.show(ctx, views);
     }
 
-    /// The panels about the views. `before`: where the pointer was in the frame before.
-    fn show_panels(&mut self, ui: &mut Ui, before: Option<Cursor>, palette: &Palette) {
-        Panel::top("top").show(ui, |ui| self.show_top(ui));
-        Panel::bottom("status").show(ui, |ui| {
-            let selected = self.session.materials.selected();
-            let shares = self.answers.ask(&self.session, selected, SHARES);
-            // Panels are drawn before the views: the line shows the pointer of the frame before.
-            let value = before.map(|cursor| cursor.value(&self.session, &mut self.answers));
-            status::show(
-                ui,
-                &self.session,
-                before.as_ref().zip(value),
-                &shares,
-                self.answers.progress(),
-                palette,
-            );
-        });
-        self.notice.show(ui);
-        self.show_reading(ui);
-        let saved = self.saved.as_mut();
-        if saved.is_some_and(|saved| !saved.show(ui, &self.pool)) {
-            self.saved = None;
-        }
-        Panel::left("side")
-            .resizable(false)
-            .exact_size(theme::SIDE_WIDTH)
-            .show(ui, |ui| self.show_side(ui, palette));
-        Panel::bottom("directions").show(ui, |ui| directions::show(ui, &mut self.session));
+    /// The bar at the bottom. `before`: where the pointer was in the frame before.
+    fn show_bar(&mut self, ui: &mut Ui, before: Option<Cursor>, palette: &Palette) {
+        let margin = egui::Margin::symmetric(8, 0);
+        Panel::bottom("bar")
+            .exact_size(theme::BAR_HEIGHT)
+            .frame(egui::Frame::side_top_panel(ui.style()).inner_margin(margin))
+            .show(ui, |ui| {
+                let selected = self.session.materials.selected();
+                let shares = self.answers.ask(&self.session, selected, SHARES);
+                // Panels are drawn before the views: the line shows the pointer of the frame before.
+                let value = before.map(|cursor| cursor.value(&self.session, &mut self.answers));
+                let bar = Bar {
+                    cursor: before.as_ref().zip(value),
+                    energy: Energy::of(&shares, palette),
+                    progress: self.answers.progress(),
+                };
+                bar.show(ui, &mut self.session);
+            });
     }
 
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
@@ -292,16 +223,25 @@ impl eframe::App for App {
         self.take_what_comes(ui.ctx());
         self.fetch_data(ui.ctx());
         self.present(ui.ctx());
-        if self.is_presenting() {
-            Panel::bottom("presented").show(ui, |ui| directions::slim(ui, &mut self.session));
-        } else {
-            self.show_panels(ui, before, &palette);
+        if !self.is_presenting() {
+            Panel::top("top").show(ui, |ui| self.show_top(ui));
+        }
+        self.show_bar(ui, before, &palette);
+        self.notice.show(ui);
+        self.show_reading(ui);
+        let saved = self.saved.as_mut();
+        if saved.is_some_and(|saved| !saved.show(ui, &self.pool)) {
+            self.saved = None;
+        }
+        if !self.is_presenting() {
+            self.show_side(ui, &palette);
         }
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
         let views = CentralPanel::no_frame()
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
         self.room_of_views = views.response.rect.size();
+        self.show_picker(ui.ctx(), views.response.rect);
         self.show_windows(ui.ctx(), views.response.rect);
         self.session.keep_allowed(self.history.present());
         self.refuse_what_does_not_fit();

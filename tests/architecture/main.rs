@@ -202,6 +202,7 @@ const ROOMS: [&[&str]; 2] = [
         "src/ui/tiles.rs",
         "src/ui/app/",
         "src/ui/commands/",
+        "src/ui/side.rs",
         "src/ui/shell.rs",
         "src/ui/headless.rs",
         "src/ui/export/",

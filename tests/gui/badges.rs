@@ -123,7 +123,7 @@ fn kept_laws_in_the_list_do_not_move_the_light() {
 #[test]
 fn rows_hold_their_badges() {
     let shown = session(&["plastic", "rough_conductor", "oren_nayar"]);
-    let harness = picture(shown, None, [1024, 640], egui::Theme::Dark)
+    let harness = picture(shown, None, [1100, 640], egui::Theme::Dark)
         .harness()
         .unwrap();
     let rect = |label: &str| harness.get_by_label(label).rect();
@@ -146,7 +146,7 @@ fn rows_hold_their_badges() {
 #[test]
 fn the_laws_stand_in_one_line() {
     let shown = session(&["rough_conductor:alpha_x=0.1,alpha_y=0.5", BRIGHT, TURQUIN]);
-    let harness = picture(shown, None, [1024, 640], egui::Theme::Dark)
+    let harness = picture(shown, None, [1100, 640], egui::Theme::Dark)
         .harness()
         .unwrap();
     let rect = |label: &str| harness.get_by_label(label).rect();

@@ -10,7 +10,7 @@ use brdf_explorer::study::session::{MaterialEntry, Session};
 use brdf_explorer::study::store::{Answer, Dialogs, Disk, FileDialog, Files, Store};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::export;
-use egui::{Event, Key, Modifiers, OutputCommand, ThemePreference};
+use egui::{Event, Key, Modifiers, OutputCommand, Role, ThemePreference};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -278,6 +278,32 @@ fn pictures_and_tests_have_no_files() {
     press(&mut harness, Modifiers::COMMAND, Key::S);
     press(&mut harness, Modifiers::COMMAND, Key::O);
     assert!(harness.query_by_label("Dismiss").is_none());
+}
+
+#[test]
+fn what_of_the_panel_is_folded_is_kept_for_the_next_run() {
+    let folder = Folder::new("side");
+    let is_folded = |harness: &Harness<'_, App>| harness.query_by_label("Your materials").is_none();
+    let is_all_shown = |harness: &Harness<'_, App>| {
+        let masking = harness.query_by_role_and_label(Role::ComboBox, "Masking");
+        masking.is_some()
+    };
+    let mut harness = window_of(&["rough_conductor"]);
+    work_in(&mut harness, &folder);
+    harness.run();
+    assert!(!is_folded(&harness) && !is_all_shown(&harness));
+    harness.get_by_label("More parameters").click();
+    harness.run();
+    press(&mut harness, Modifiers::COMMAND, Key::B);
+    harness.run();
+    assert!(is_folded(&harness));
+    let mut other = window_of(&["rough_conductor"]);
+    work_in(&mut other, &folder);
+    other.run();
+    assert!(is_folded(&other));
+    press(&mut other, Modifiers::COMMAND, Key::B);
+    other.run();
+    assert!(!is_folded(&other) && is_all_shown(&other));
 }
 
 #[test]

@@ -290,7 +290,7 @@ fn what_is_typed_right_behind_a_key_goes_to_the_search() {
     // Behind a click, too.
     let mut harness = window("phong");
     let before = harness.state().session.clone();
-    let at = middle(&harness, "Search models");
+    let at = middle(&harness, "Change…");
     feed(&mut harness, [swipe(at, Vec2::ZERO), typed("hal")].concat());
     assert_eq!(harness.state().session, before);
     let text = harness.get_by_label("Search models").value();

@@ -6,7 +6,7 @@ use egui::{Event, Key, Modifiers, OutputCommand, Role, ViewportCommand, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::{window, window_of};
+use super::{pick, window, window_of};
 
 const THREE: [&str; 3] = ["rough_conductor", "plastic", "oren_nayar"];
 
@@ -62,7 +62,7 @@ fn a_material_is_added_through_the_picker() {
     assert_eq!(titles(&harness), ["Rough conductor", "Oren-Nayar"]);
     assert!(!is_said(&harness, "Choose what to add"));
     // The picker acts on the one that was added.
-    click(&mut harness, "Phong  (R)");
+    pick(&mut harness, "Phong  (R)");
     assert_eq!(titles(&harness), ["Rough conductor", "Phong"]);
     click(&mut harness, "Add…");
     click(&mut harness, "Materials");
@@ -318,8 +318,7 @@ fn rubbish_in_the_clipboard_is_refused_and_nothing_is_lost() {
     harness.run();
     assert!(is_said(&harness, "clipboard: a picture, no text"));
     // A text field takes what is pasted into it.
-    harness.get_by_label("Search models").click();
-    harness.run();
+    click(&mut harness, "Change…");
     paste(&mut harness, "phong");
     assert_eq!(harness.state().session, before);
 }
@@ -348,12 +347,12 @@ fn linked_widths_move_together() {
         slider.set_value_accesskit(value);
         harness.run();
     };
-    slide(&mut harness, "Alpha x", 0.5);
+    slide(&mut harness, "Roughness along s (alpha)", 0.5);
     assert_eq!(widths(&harness), [0.5, 0.5]);
-    reach(&mut harness, "Same alpha along s and t");
-    slide(&mut harness, "Alpha y", 0.1);
+    reach(&mut harness, "Same along s and t");
+    slide(&mut harness, "Roughness along t (alpha)", 0.1);
     assert_eq!(widths(&harness), [0.5, 0.1]);
-    reach(&mut harness, "Same alpha along s and t");
+    reach(&mut harness, "Same along s and t");
     assert_eq!(widths(&harness), [0.5, 0.5]);
     reach(&mut harness, "Reset all of Rough conductor");
     assert_eq!(widths(&harness), [0.3, 0.3]);
@@ -363,13 +362,13 @@ fn linked_widths_move_together() {
 fn a_locked_parameter_moves_all_that_have_it() {
     let mut harness = window_of(&["rough_conductor", "ward", "oren_nayar"]);
     assert!(
-        harness.query_by_label("Lock Fresnel").is_none(),
+        harness.query_by_label("Link Fresnel").is_none(),
         "no other has it"
     );
-    reach(&mut harness, "Lock Alpha x");
+    reach(&mut harness, "Link Roughness along s (alpha)");
     assert!(harness.state().session.locked.contains("alpha_x"));
     harness
-        .get_by_role_and_label(Role::Slider, "Alpha x")
+        .get_by_role_and_label(Role::Slider, "Roughness along s (alpha)")
         .set_value_accesskit(0.5);
     harness.run();
     let alpha = |harness: &Harness<'_, App>, index: usize| {
@@ -377,7 +376,7 @@ fn a_locked_parameter_moves_all_that_have_it() {
         entry.material.components()[0].params().number("alpha_x")
     };
     assert_eq!([alpha(&harness, 0), alpha(&harness, 1)], [0.5; 2]);
-    reach(&mut harness, "Lock Alpha x");
-    reach(&mut harness, "Reset Alpha x");
+    reach(&mut harness, "Link Roughness along s (alpha)");
+    reach(&mut harness, "Reset Roughness along s (alpha)");
     assert_eq!([alpha(&harness, 0), alpha(&harness, 1)], [0.3, 0.5]);
 }

@@ -8,6 +8,7 @@
 )]
 
 mod badges;
+mod bottom;
 mod commands;
 mod data;
 mod deltas;
@@ -128,6 +129,18 @@ fn picture(mut session: Session, view: Option<&str>, size: [u32; 2], theme: Them
         scale: 1.0,
         theme,
     }
+}
+
+/// Chooses what has this title from the pictures, in place of the selected material.
+fn pick(harness: &mut Harness<'_, App>, title: &str) {
+    harness.get_by_label("Change…").click();
+    harness.run();
+    let cell = harness.get_by_role_and_label(egui::Role::Button, title);
+    cell.scroll_to_me();
+    harness.run();
+    let cell = harness.get_by_role_and_label(egui::Role::Button, title);
+    cell.click();
+    harness.run();
 }
 
 /// The start window with several materials.

@@ -6,7 +6,7 @@ use egui::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::{material, window};
+use super::{material, pick, window};
 
 fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.get_by_label(label).click();
@@ -47,23 +47,11 @@ fn shown<'a>(harness: &'a Harness<'_, App>) -> &'a Material {
 }
 
 #[test]
-fn the_list_is_folded_away_and_comes_back() {
-    let mut harness = window("rough_conductor");
-    assert!(harness.query_by_label("Search models").is_some());
-    harness.get_by_label("Fold").click();
-    harness.run();
-    assert!(harness.query_by_label("Search models").is_none());
-    harness.get_by_label("Materials").click();
-    harness.run();
-    assert!(harness.query_by_label("Search materials").is_some());
-}
-
-#[test]
 fn a_named_material_is_searched_and_chosen() {
     let mut harness = window("rough_conductor");
     assert!(harness.query_by_label("Brass").is_none());
+    click(&mut harness, "Change…");
     click(&mut harness, "Materials");
-    harness.get_by_label("Search materials").click();
     harness
         .get_by_label("Search materials")
         .type_text("swallows blue");
@@ -74,11 +62,14 @@ fn a_named_material_is_searched_and_chosen() {
     // Its parameters are on the screen, and the model is one of the other list.
     assert!(
         harness
-            .query_by_role_and_label(Role::Slider, "Alpha x")
+            .query_by_role_and_label(Role::Slider, "Roughness along s (alpha)")
             .is_some()
     );
     // Both lists are searched, whichever is shown.
+    click(&mut harness, "Change…");
     click(&mut harness, "Models");
+    harness.get_by_label("Search models").type_text("gold");
+    harness.run();
     assert!(
         harness
             .query_by_role_and_label(Role::Button, "Gold")
@@ -86,7 +77,10 @@ fn a_named_material_is_searched_and_chosen() {
     );
     click(&mut harness, "Clear the search");
     assert!(harness.query_by_label("Clear the search").is_none());
-    // What is left is the list in which the chosen one stands.
+    // What it opens with is the list in which the chosen one stands.
+    harness.key_press(egui::Key::Escape);
+    harness.run();
+    click(&mut harness, "Change…");
     assert!(harness.query_by_label("Search materials").is_some());
 }
 
@@ -98,7 +92,7 @@ fn search_covers_name_category_and_model() {
         ("rough_conductor", "Gold", "Road sign"),
     ] {
         let mut harness = window("gold");
-        harness.get_by_label("Search materials").click();
+        click(&mut harness, "Change…");
         harness.get_by_label("Search materials").type_text(wanted);
         harness.run();
         let listed = |label| {
@@ -116,17 +110,16 @@ fn the_edits_of_a_named_material_are_kept_and_reset() {
     let alpha =
         |harness: &Harness<'_, App>| shown(harness).components()[0].params().number("alpha_x");
     harness
-        .get_by_role_and_label(Role::Slider, "Alpha x")
+        .get_by_role_and_label(Role::Slider, "Roughness along s (alpha)")
         .set_value_accesskit(0.5);
     harness.run();
     assert_eq!(
         (alpha(&harness), shown(&harness).name.as_str()),
         (0.5, "Gold")
     );
-    click(&mut harness, "Glossy red plastic");
+    pick(&mut harness, "Glossy red plastic");
     assert_eq!(*shown(&harness), material("plastic_glossy_red"));
-    harness.get_by_role_and_label(Role::Button, "Gold").click();
-    harness.run();
+    pick(&mut harness, "Gold");
     assert_eq!(alpha(&harness), 0.5);
     click(&mut harness, "Reset Gold");
     assert_eq!(*shown(&harness), material("gold"));
@@ -135,18 +128,11 @@ fn the_edits_of_a_named_material_are_kept_and_reset() {
 #[test]
 fn every_named_material_can_be_picked_and_shown() {
     let mut harness = window("rough_conductor");
+    click(&mut harness, "Change…");
     click(&mut harness, "Materials");
+    click(&mut harness, "Chalk");
     for named in brdf_explorer::bxdf::material::library::all() {
-        let name = named.material.name.as_str();
-        let row = |harness: &Harness<'_, App>| {
-            harness
-                .get_by_role_and_label(Role::Button, name)
-                .scroll_to_me();
-        };
-        row(&harness);
-        harness.run();
-        harness.get_by_role_and_label(Role::Button, name).click();
-        harness.run();
+        pick(&mut harness, &named.material.name);
         assert_eq!(*shown(&harness), named.material);
     }
 }
@@ -198,7 +184,10 @@ fn lobes_are_added_weighed_and_removed() {
 fn lobes_that_light_crosses_share_the_index() {
     let mut harness = window("fresnel_specular:eta=1.33");
     add_lobe(&mut harness, ["Glossy specular", "Rough dielectric"]);
-    for (label, index) in [("Eta of lobe 1", 1.6), ("Eta of lobe 2", 1.4)] {
+    for (label, index) in [
+        ("Index of refraction (eta) of lobe 1", 1.6),
+        ("Index of refraction (eta) of lobe 2", 1.4),
+    ] {
         slide(&mut harness, label, index);
         let components = shown(&harness).components();
         let indices: Vec<f64> = components.iter().map(Component::relative_index).collect();
@@ -219,20 +208,22 @@ fn lobes_that_light_crosses_share_the_index() {
 fn the_controls_of_several_lobes_have_names_of_their_own() {
     let mut harness = window("rough_conductor");
     add_lobe(&mut harness, ["Glossy specular", "Rough conductor"]);
+    reach(&mut harness, "n and k of the metal of lobe 1");
     for ordinal in [1, 2] {
         for (role, label) in [
             (Role::Slider, "Weight"),
-            (Role::Slider, "Alpha x"),
-            (Role::Slider, "Eta G"),
+            (Role::Slider, "Roughness along s (alpha)"),
+            (Role::Slider, "n G"),
+            (Role::ComboBox, "Metal"),
             (Role::ComboBox, "Fresnel"),
-            (Role::Button, "Reset Alpha x"),
+            (Role::Button, "Reset Roughness along s (alpha)"),
         ] {
             let label = format!("{label} of lobe {ordinal}");
             let found = harness.query_all_by_role_and_label(role, &label).count();
             assert_eq!(found, 1, "{label}");
         }
     }
-    slide(&mut harness, "Alpha x of lobe 2", 0.5);
+    slide(&mut harness, "Roughness along s (alpha) of lobe 2", 0.5);
     let widths: Vec<f64> = shown(&harness)
         .components()
         .iter()

@@ -23,10 +23,10 @@ fn is_undo_on(harness: &Harness<'_, App>) -> bool {
 #[test]
 fn an_accepted_number_is_one_step_and_a_refused_one_is_none() {
     let mut harness = window("rough_conductor");
-    enter(&mut harness, "Alpha x", "0.345");
+    enter(&mut harness, "Roughness along s (alpha)", "0.345");
     assert_eq!(alpha(&harness), [0.345; 2], "linked");
-    enter(&mut harness, "Alpha x", "0.5");
-    enter(&mut harness, "Alpha x", "7");
+    enter(&mut harness, "Roughness along s (alpha)", "0.5");
+    enter(&mut harness, "Roughness along s (alpha)", "7");
     assert_eq!(alpha(&harness), [0.5; 2]);
     press(&mut harness, Key::Escape);
     for before in [0.345, 0.3] {
@@ -40,9 +40,11 @@ fn an_accepted_number_is_one_step_and_a_refused_one_is_none() {
 #[test]
 fn a_locked_parameter_follows_what_is_typed() {
     let mut harness = window_of(&["rough_conductor", "ward"]);
-    harness.get_by_label("Lock Alpha x").click();
+    harness
+        .get_by_label("Link Roughness along s (alpha)")
+        .click();
     harness.run();
-    enter(&mut harness, "Alpha x", "0,123456");
+    enter(&mut harness, "Roughness along s (alpha)", "0,123456");
     let widths = harness.state().session.materials.iter().map(|entry| {
         let params = entry.material.components()[0].params();
         params.number("alpha_x")
@@ -65,16 +67,16 @@ fn leaving_the_field_stores_what_is_allowed_and_marks_the_rest() {
                 harness.run();
             }
         };
-        type_into(&mut harness, "Alpha x", "0.25");
+        type_into(&mut harness, "Roughness along s (alpha)", "0.25");
         assert_eq!(
             alpha(&harness),
             [if leave == "Tab" { 0.3 } else { 0.125 }; 2]
         );
         away(&mut harness);
         assert_eq!(alpha(&harness), [0.25; 2], "{leave}");
-        type_into(&mut harness, "Alpha x", "2.5");
+        type_into(&mut harness, "Roughness along s (alpha)", "2.5");
         away(&mut harness);
-        let (text, words) = said(&harness, "Alpha x");
+        let (text, words) = said(&harness, "Roughness along s (alpha)");
         assert_eq!(
             (alpha(&harness), text.as_str()),
             ([0.25; 2], "2.5"),
@@ -87,26 +89,29 @@ fn leaving_the_field_stores_what_is_allowed_and_marks_the_rest() {
         );
         assert!(
             !harness
-                .get_by_role_and_label(Role::SpinButton, "Alpha x")
+                .get_by_role_and_label(Role::SpinButton, "Roughness along s (alpha)")
                 .is_focused()
         );
         // A correction is taken, and Escape gives the value back.
-        enter(&mut harness, "Alpha x", "0.125");
+        enter(&mut harness, "Roughness along s (alpha)", "0.125");
         assert_eq!(
-            (alpha(&harness), said(&harness, "Alpha x").1),
+            (
+                alpha(&harness),
+                said(&harness, "Roughness along s (alpha)").1
+            ),
             ([0.125; 2], None)
         );
-        type_into(&mut harness, "Alpha x", "0.9");
+        type_into(&mut harness, "Roughness along s (alpha)", "0.9");
         press(&mut harness, Key::Escape);
         assert_eq!(alpha(&harness), [0.125; 2]);
-        assert_eq!(said(&harness, "Alpha x").0, "0.125");
+        assert_eq!(said(&harness, "Roughness along s (alpha)").0, "0.125");
     }
 }
 
 #[test]
 fn what_is_typed_is_stored_when_another_material_is_chosen() {
     let mut harness = window_of(&["rough_conductor", "oren_nayar"]);
-    type_into(&mut harness, "Alpha x", "0.25");
+    type_into(&mut harness, "Roughness along s (alpha)", "0.25");
     harness.get_by_label("Select Oren-Nayar").click();
     harness.run();
     let first = harness.state().session.materials.iter().next().unwrap();
@@ -119,10 +124,14 @@ fn what_is_typed_is_stored_when_another_material_is_chosen() {
 #[test]
 fn the_click_that_leaves_a_field_does_what_it_does_elsewhere() {
     let mut harness = window("rough_conductor");
-    enter(&mut harness, "Alpha y", "0.5");
-    type_into(&mut harness, "Eta B", "0.25");
-    // It stands below, in a row of its own.
-    harness.get_by_label("Reset Alpha x").click();
+    enter(&mut harness, "Roughness along t (alpha)", "0.5");
+    harness.get_by_label("n and k of the metal").click();
+    harness.run();
+    type_into(&mut harness, "n B", "0.25");
+    // It stands above, in a row of its own.
+    harness
+        .get_by_label("Reset Roughness along s (alpha)")
+        .click();
     harness.run();
     let component = &harness.state().session.material().components()[0];
     let eta = component.params().get("eta").unwrap();
@@ -213,8 +222,8 @@ fn no_tool_and_no_gesture_stores_what_is_no_number() {
     for (role, name) in [
         (Role::Slider, "θ from n"),
         (Role::SpinButton, "θ from n"),
-        (Role::Slider, "Alpha x"),
-        (Role::SpinButton, "Alpha x"),
+        (Role::Slider, "Roughness along s (alpha)"),
+        (Role::SpinButton, "Roughness along s (alpha)"),
         (Role::SpinButton, "φ from s"),
     ] {
         let before = harness.state().session.clone();

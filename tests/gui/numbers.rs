@@ -6,12 +6,17 @@ use brdf_explorer::analysis::cartesian::Abscissa;
 use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::param::{Kind, ParamSpec, Value};
 use brdf_explorer::bxdf::{Component, Material, ModelSpec};
+use brdf_explorer::study::answers::Progress;
 use brdf_explorer::study::session::{Session, folded_deg, wrapped_deg};
+use brdf_explorer::study::store::Side;
 use brdf_explorer::study::views::{VIEWS, cartesian, integral, sampling, slice, sphere, tradeoff};
 use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::theme::{self, Palette};
+use brdf_explorer::ui::widgets::bottom::Bar;
 use brdf_explorer::ui::widgets::components::Components;
-use brdf_explorer::ui::widgets::params::Ties;
-use brdf_explorer::ui::widgets::{directions, options};
+use brdf_explorer::ui::widgets::options;
+use brdf_explorer::ui::widgets::params::{Ties, labels};
+use brdf_explorer::ui::widgets::shares::Energy;
 use egui::{Key, Theme, Ui, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -87,7 +92,7 @@ fn try_all<S>(
     press(harness, Key::Escape);
 }
 
-/// The parameters of the selected material, as the panel at the side has them.
+/// The parameters of the selected material, as the panel at the side has them with nothing folded away.
 fn panel(material: Material) -> Harness<'static, Session> {
     let mut components = Components::default();
     let show = move |ui: &mut Ui, session: &mut Session| {
@@ -101,14 +106,19 @@ fn panel(material: Material) -> Harness<'static, Session> {
             locked,
             is_shared: &|_| false,
         };
-        components.show(ui, &mut edited.material, &mut ties);
+        let mut side = Side {
+            shows_more: true,
+            shows_indices: true,
+            ..Side::default()
+        };
+        components.show(ui, &mut edited.material, &mut ties, &mut side);
         if edited != before {
             *materials.selected_mut() = edited;
             materials.follow(&before, locked);
         }
     };
     Harness::builder()
-        .with_size(vec2(292.0, 1600.0))
+        .with_size(vec2(theme::SIDE_WIDTH, 1600.0))
         .build_ui_state(show, Session::of(material))
 }
 
@@ -132,15 +142,11 @@ fn variants(model: &'static ModelSpec) -> Vec<Component> {
 
 /// The names of the fields of a parameter, each with its channel.
 fn names(spec: &ParamSpec) -> Vec<(String, Option<usize>)> {
-    match spec.kind {
-        Kind::Number => vec![(spec.label(), None)],
-        Kind::Rgb => ["R", "G", "B"]
-            .iter()
-            .enumerate()
-            .map(|(index, letter)| (format!("{} {letter}", spec.label()), Some(index)))
-            .collect(),
-        Kind::Choice | Kind::Bool | Kind::Data => Vec::new(),
-    }
+    let is_colour = spec.kind == Kind::Rgb;
+    let names = labels(spec).into_iter().enumerate();
+    names
+        .map(|(index, name)| (name, is_colour.then_some(index)))
+        .collect()
 }
 
 fn only(session: &Session) -> &Component {
@@ -343,7 +349,13 @@ fn every_number_of_the_panels_is_typed() {
     };
     let show = |ui: &mut Ui, session: &mut Session| {
         options::section(ui, session);
-        directions::show(ui, session);
+        let palette = Palette::of(Theme::Dark);
+        let bar = Bar {
+            cursor: None,
+            energy: Energy::of(&[], &palette),
+            progress: Progress::Complete(None),
+        };
+        bar.show(ui, session);
     };
     let size = vec2(1280.0, 300.0);
     let mut harness = Harness::builder()

@@ -28,13 +28,18 @@ pub struct Request {
 impl Query for Request {
     type Answer = Picture;
 
-    const BASIS: Basis = Basis::Surface;
+    // However the surface is turned: a picture that tells materials apart need not be made anew for that.
+    const BASIS: Basis = Basis::Material;
 
     const PACE: Pace = Pace::Background;
 
     fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Picture> {
-        let surface = subject.lobe.surface();
-        Some(sphere(surface, subject.relative_index(), self.side))
+        let material = subject.material?;
+        Some(sphere(
+            &*material.build(),
+            material.relative_index(),
+            self.side,
+        ))
     }
 }
 

@@ -21,6 +21,10 @@ static ALL: LazyLock<Vec<Constants>> = LazyLock::new(|| {
 /// Dominant wavelengths of the BT.709 primaries in nm: where the k of a channel is read that no reflectance fixes.
 const CHANNELS_NM: [f64; 3] = [611.4, 549.1, 464.2];
 
+/// The least k of a metal: that of silicon, the most absorbing of the others, is a tenth of it, and that of the blue of
+/// brass, the least absorbing metal, nearly twice.
+const LEAST_OF_METALS: f64 = 1.0;
+
 /// The index of refraction and the extinction coefficient of a substance.
 #[derive(Clone, Debug)]
 pub struct Constants {
@@ -66,6 +70,21 @@ impl Constants {
         self.channels
     }
 
+    /// n and k of red, green and blue as files of materials give them: [`Self::channels`] in four significant digits.
+    #[must_use]
+    pub fn given(&self) -> [[f64; 3]; 2] {
+        [0, 1].map(|part| {
+            self.channels
+                .map(|pair| pair.get(part).map_or(0.0, |exact| rounded(*exact)))
+        })
+    }
+
+    /// Whether it is a metal: in every channel a wave dies away within less than one of its lengths.
+    #[must_use]
+    pub fn is_metal(&self) -> bool {
+        self.channels.iter().all(|[_, k]| *k > LEAST_OF_METALS)
+    }
+
     /// Those whose [`Self::channels`] are the index and the absorption of `component`; `None` where it has no such parameters, or no table
     /// has these values.
     #[must_use]
@@ -94,6 +113,11 @@ impl Constants {
     }
 }
 
+/// The constants of every metal, by id.
+pub fn metals() -> impl Iterator<Item = &'static Constants> {
+    ALL.iter().filter(|constants| constants.is_metal())
+}
+
 /// The constants of the substance with this id: a file of `assets/ior` without its ending.
 #[must_use]
 pub fn find(id: &str) -> Option<&'static Constants> {
@@ -107,13 +131,28 @@ pub fn colour(constants: &Constants, theta_deg: f64) -> [f64; 3] {
     channels::colour_by(|nm| constants.at(nm), theta_deg)
 }
 
+/// The unit of the last of four significant digits of `x`, which is not 0.
+fn last_digit(x: f64) -> f64 {
+    10_f64.powf(x.abs().log10().floor() - 3.0)
+}
+
+/// `exact` in four significant digits.
+fn rounded(exact: f64) -> f64 {
+    if exact == 0.0 {
+        return 0.0;
+    }
+    // Through a text, so that it is the number that these digits are read as.
+    let decimals = (-last_digit(exact).log10().round()).max(0.0) as usize;
+    format!("{exact:.decimals$}").parse().unwrap_or(exact)
+}
+
 /// Whether `given` is `exact` in four significant digits.
 #[must_use]
 pub fn agrees(given: f64, exact: f64) -> bool {
     if exact == 0.0 {
         return given == 0.0;
     }
-    let unit = 10_f64.powf(exact.abs().log10().floor() - 3.0);
+    let unit = last_digit(exact);
     // Half a unit of the last digit; the rest is for rounding in this comparison.
     (given - exact).abs() <= 0.5001 * unit
 }
@@ -142,6 +181,13 @@ mod tests {
             [of("gold"), of("copper"), of("chalk")],
             [Some("gold"), Some("copper"), None]
         );
+        let gold = find("gold").unwrap();
+        let material = &library::find("gold").unwrap().material;
+        let params = material.components().first().unwrap().params();
+        assert_eq!(gold.given(), ["eta", "k"].map(|name| params.rgb(name)));
+        assert!(metals().all(|metal| { metal.gives(metal.given()[0], metal.given()[1]) }));
+        let [is_metal, is_none] = ["titanium", "silicon"].map(|id| find(id).unwrap().is_metal());
+        assert!(is_metal && !is_none && metals().count() > 10);
         assert!(agrees(0.2224, 0.222_449) && !agrees(0.2224, 0.222_46));
         assert!(agrees(0.0, 0.0) && !agrees(0.1, 0.0));
     }

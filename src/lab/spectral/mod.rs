@@ -8,5 +8,5 @@ mod table;
 
 pub use channels::MATCHED_DEG;
 pub use colour::{FINEST, RANGE_NM, rgb_weights, white_chromaticity};
-pub use constants::{Constants, agrees, colour, find};
+pub use constants::{Constants, agrees, colour, find, metals};
 pub use interface::{AtWavelength, OverWavelength, OverWavelengths};

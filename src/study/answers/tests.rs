@@ -81,11 +81,15 @@ fn what_is_named_is_answered_without_a_session() {
     let named = &bxdf::material::library::all()[0];
     let request = thumbnail::Request { side: 4 };
     let mut answers = Answers::at_once();
-    let picture = answers.of_named(named, request).unwrap();
+    let picture = answers
+        .of_listed(named.id, &named.material, request)
+        .unwrap();
     assert!(picture.pixels.iter().flatten().any(|x| *x > 0.0));
     assert!(Arc::ptr_eq(
         &picture,
-        &answers.of_named(named, request).unwrap()
+        &answers
+            .of_listed(named.id, &named.material, request)
+            .unwrap()
     ));
     (0..2 * FRAMES_KEPT).for_each(|_| answers.begin_frame(&Session::default()));
     assert!(answers.answers.is_empty());

@@ -25,11 +25,23 @@ pub use files::{Disk, Files, Found};
 pub use own::{Keeping, News, Restored};
 pub use partial::{Partial, abandon_partial};
 
-/// The files opened last and the theme chosen, in the folder of the program's data.
+/// The files opened last, the theme and how the panel at the side stands, in the folder of the program's data.
 const PREFERENCES: &str = "preferences.toml";
 
 /// How many recent files are kept.
 const MAX_RECENT: usize = 8;
+
+/// How the panel at the side stands: which of its parts are folded away.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Side {
+    /// Whether it is folded to icons; where nothing is chosen the room decides.
+    pub is_folded: Option<bool>,
+    /// Whether it shows the parameters that are asked for less often.
+    pub shows_more: bool,
+    /// Whether it shows the numbers behind the name of a substance.
+    pub shows_indices: bool,
+}
 
 /// What belongs to the person, not to a session.
 #[derive(Clone, Default, Serialize, Deserialize)]
@@ -43,6 +55,8 @@ struct Preferences {
     theme: Option<Theme>,
     /// Whether the first steps were done or left.
     has_seen_first_steps: bool,
+    /// How the panel at the side stands.
+    side: Side,
 }
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
@@ -221,6 +235,20 @@ impl Store {
     pub fn keep_first_steps_seen(&mut self) {
         if !self.preferences.has_seen_first_steps {
             self.preferences.has_seen_first_steps = true;
+            self.keep_preferences();
+        }
+    }
+
+    /// How the panel at the side stood last.
+    #[must_use]
+    pub fn side(&self) -> Side {
+        self.preferences.side
+    }
+
+    /// Keeps how the panel at the side stands.
+    pub fn keep_side(&mut self, side: Side) {
+        if self.preferences.side != side {
+            self.preferences.side = side;
             self.keep_preferences();
         }
     }

@@ -56,6 +56,7 @@ impl App {
         if !store.has_seen_first_steps() {
             self.switch_first_steps();
         }
+        self.side = store.side();
         let restored = store.restore(self.session.clone());
         if restored.session != self.session {
             self.restart(restored.session);
@@ -245,7 +246,7 @@ impl App {
         }
     }
 
-    /// Keeps the theme for the next run, and the session a moment after it has changed.
+    /// Keeps the theme and the panel at the side for the next run, and the session a moment after it has changed.
     pub(crate) fn keep(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
         files
@@ -255,6 +256,7 @@ impl App {
                 ThemePreference::Dark => Some(colors::Theme::Dark),
                 ThemePreference::Light => Some(colors::Theme::Light),
             });
+        files.store.keep_side(self.side);
         let now = ctx.input(|input| input.time);
         let keeping = files.store.keep(&self.session, now);
         if let Some(news) = keeping.news {

@@ -29,6 +29,7 @@ use bxdf_study::history::History;
 use bxdf_study::jobs::Clock;
 use bxdf_study::parallel::Pool;
 use bxdf_study::session::{Session, ViewId};
+use bxdf_study::store::Side;
 use exports::Exports;
 use files::Files;
 use first_steps::FirstSteps;
@@ -46,6 +47,7 @@ mod picture;
 mod presenting;
 mod reading;
 mod readings;
+mod side;
 mod views;
 
 pub use picture::{Maker, Picture};
@@ -67,6 +69,8 @@ pub struct App {
     pub(super) picker: Picker,
     pub(super) components: Components,
     pub(super) list: MaterialList,
+    /// What of the panel at the side is folded away.
+    pub(super) side: Side,
     pub(super) notice: Notice,
     pub(super) said: Said,
     pub(super) pacing: Pacing,
@@ -119,6 +123,7 @@ impl App {
             picker: Picker::default(),
             components: Components::default(),
             list: MaterialList::default(),
+            side: Side::default(),
             notice: Notice::default(),
             said: Said::default(),
             pacing: Pacing::default(),
@@ -167,21 +172,16 @@ impl App {
         self.state.image(id)
     }
 
-    /// Begins anew, with all there is to choose from.
-    pub fn start_anew(&mut self) {
+    /// Begins anew.
+    pub fn start_anew(&mut self, ctx: &Context) {
         self.session = Session::default();
-        self.picker.clear_search();
+        self.picker.close(ctx);
     }
 
     /// Replaces the session and forgets what was done before: there is nothing to undo.
     pub(super) fn restart(&mut self, session: Session) {
         self.history = History::new(&session);
         self.session = session;
-    }
-
-    /// Lets the picker add the next choice, or not any more.
-    pub fn start_adding(&mut self, ctx: &Context) {
-        self.picker.start_adding(ctx);
     }
 
     /// Adds another material like the selected one.

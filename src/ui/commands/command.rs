@@ -145,11 +145,6 @@ impl Command {
         self.show(ui, app, Button::new(self.title))
     }
 
-    /// A button for it that shows a sign alone. Returns whether it is clicked.
-    pub fn sign_button(&self, ui: &mut Ui, app: &App, sign: &str) -> bool {
-        self.show(ui, app, Button::new(sign))
-    }
-
     /// A button for it that looks like the field that it opens. Returns whether it is clicked.
     pub fn field_button(&self, ui: &mut Ui, app: &App) -> bool {
         let width = ui.available_width().min(theme::SEARCH_FIELD_WIDTH);
@@ -160,6 +155,11 @@ impl Command {
             .min_size(vec2(width, 0.0))
             .fill(ui.visuals().extreme_bg_color);
         self.show(ui, app, button)
+    }
+
+    /// A button for it that shows `icon` in place of its name. Returns whether it is clicked.
+    pub fn icon(&self, ui: &mut Ui, app: &App, icon: &str) -> bool {
+        self.show(ui, app, Button::new(icon))
     }
 
     /// An entry of a menu for it, which closes the menu. Returns whether it is clicked.

@@ -7,7 +7,7 @@ use super::list::COMMANDS;
 use crate::theme;
 
 /// What the mouse and the keys do in parts of the window.
-const GESTURES: [(&str, &[(&str, &str)]); 4] = [
+const GESTURES: [(&str, &[(&str, &str)]); 5] = [
     (
         "In the views",
         &[
@@ -31,6 +31,15 @@ const GESTURES: [(&str, &[(&str, &str)]); 4] = [
             ("Up, Down", "Go through what is found"),
             ("Enter", "Choose it"),
             ("Escape", "Leave, and clear the search"),
+        ],
+    ),
+    (
+        "In the pictures to choose from",
+        &[
+            ("Arrows", "Go to the next picture, or a row on"),
+            ("Enter or click", "Choose it, and leave"),
+            ("Shift+Enter, Shift+click", "Add it, and choose on"),
+            ("Escape", "Leave"),
         ],
     ),
     (

@@ -45,6 +45,18 @@ pub static ADD: Command = Command {
     )
 };
 
+/// Replaces the selected material by the next choice of the picker.
+pub static CHANGE: Command = command(
+    Group::Materials,
+    [
+        "change",
+        "Change…",
+        "Choose another model or material in place of the selected one",
+    ],
+    &[key(CTRL_SHIFT, Key::M)],
+    App::start_changing,
+);
+
 /// Duplicates the selected material.
 pub static DUPLICATE: Command = Command {
     is_enabled: has_room,
@@ -139,13 +151,13 @@ pub static NEXT: Command = Command {
 
 /// Holds the other direction.
 pub static HOLD: Command = Command {
-    state: Some(|app| format!("Held: {}", app.session.held_name())),
+    state: Some(|app| format!("Fixed: {}", app.session.held_name())),
     ..command(
         Group::View,
         [
             "hold",
-            "Hold the light or the viewer",
-            "Switch between holding the light and the viewer",
+            "Fix the light or the viewer",
+            "Switch between fixing the light and the viewer",
         ],
         &[key(PLAIN, Key::H)],
         |app, _| {
@@ -281,6 +293,18 @@ pub static PRESENT: Command = command(
     App::switch_presenting,
 );
 
+/// Folds the panel at the side, or unfolds it.
+pub static FOLD: Command = command(
+    Group::View,
+    [
+        "fold",
+        "Fold the side panel",
+        "Fold the panel at the side to icons, or unfold it",
+    ],
+    &[key(CTRL, Key::B)],
+    App::fold_side,
+);
+
 /// Searches the commands.
 pub static SEARCH: Command = command(
     Group::Help,
@@ -317,7 +341,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 27] = [
+pub static COMMANDS: [&Command; 29] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -328,6 +352,7 @@ pub static COMMANDS: [&Command; 27] = [
     &UNDO,
     &REDO,
     &ADD,
+    &CHANGE,
     &DUPLICATE,
     &REMOVE,
     &SOLO,
@@ -342,6 +367,7 @@ pub static COMMANDS: [&Command; 27] = [
     &DUPLICATE_VIEW,
     &OWN_SECTION,
     &PRESENT,
+    &FOLD,
     &SEARCH,
     &FIRST_STEPS,
     &HELP,

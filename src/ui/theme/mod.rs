@@ -36,8 +36,38 @@ pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);
 pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(920.0, 600.0);
 /// Below this size, in points, the panels leave no room for the views.
 pub const USABLE_SIZE: Vec2 = Vec2::new(400.0, 240.0);
-/// The width of the panel with models and parameters.
-pub const SIDE_WIDTH: f32 = 292.0;
+/// The width of the panel with materials and parameters, in points.
+pub const SIDE_WIDTH: f32 = 264.0;
+/// Its width while it is folded to icons, in points.
+pub const FOLDED_WIDTH: f32 = 48.0;
+/// In a window narrower than this, in points, it is folded unless it is wanted: two views of a usable size would not stand
+/// beside it.
+pub const FOLD_BELOW: f32 = 1100.0;
+/// The height of the bar at the bottom, in points.
+pub const BAR_HEIGHT: f32 = 36.0;
+/// The widths of a slider in that bar, from the least to the most, in points.
+pub const BAR_RAIL: [f32; 2] = [40.0, 96.0];
+/// The least width of the value under the pointer in that bar, in points, of one material and of one of several, whose name
+/// stands before it.
+pub const BAR_VALUE: [f32; 2] = [190.0, 280.0];
+/// The height of a row of the list of materials, in points.
+pub const ROW_HEIGHT: f32 = 32.0;
+/// The diameter of the picture of a material in its row, in points.
+pub const ROW_PICTURE: f32 = 26.0;
+/// The size of what can be chosen in the grid of pictures, with its name below, in points.
+pub const CELL: Vec2 = Vec2::new(106.0, 102.0);
+/// Between two of them, in points.
+pub const CELL_GAP: f32 = 4.0;
+/// The side of the picture in one, in points.
+pub const CELL_PICTURE: f32 = 60.0;
+/// The most columns of that grid, and its greatest height, in points.
+pub const GRID_COLUMNS: usize = 5;
+/// See [`GRID_COLUMNS`].
+pub const GRID_HEIGHT: f32 = 640.0;
+/// The side of the icon of a category, in points.
+pub const CATEGORY_ICON: f32 = 15.0;
+/// The side of a chevron that folds something, in points.
+pub const CHEVRON: f32 = 16.0;
 /// The room that a scroll bar takes when the pointer is near, in points.
 pub const SCROLL_ROOM: f32 = 12.0;
 /// The least width of the views that are presented, in points, and how much larger they are at most.
@@ -64,10 +94,8 @@ pub const NUMBER_WIDTH: f32 = 52.0;
 pub const RESET_WIDTH: f32 = 18.0;
 /// The least width of a slider, in points.
 pub const SHORTEST_SLIDER: f32 = 40.0;
-/// The side of a material's picture in the list, in points.
-pub const THUMBNAIL_SIZE: f32 = 36.0;
 /// The size of the bar of shares, in points.
-pub const SHARE_BAR: Vec2 = Vec2::new(120.0, 12.0);
+pub const SHARE_BAR: Vec2 = Vec2::new(104.0, 12.0);
 /// The size of a sample of a colour in a legend, in points.
 pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
 /// The largest size of the help, in points.
@@ -83,11 +111,11 @@ pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
 /// The height of a row of a legend, in points.
 pub const LEGEND_ROW: f32 = 17.0;
 /// The size of the grip by which a row is dragged, in points.
-pub const GRIP: Vec2 = Vec2::new(12.0, 16.0);
+pub const GRIP: Vec2 = Vec2::new(10.0, 16.0);
 /// The room between badges, and between the edge and the text of one.
-pub const BADGE_SPACING: (Vec2, Vec2) = (Vec2::new(3.0, 2.0), Vec2::new(2.0, 0.0));
-/// The room between name, badge and menu in a row of the list of materials, in points.
-pub const ROW_SPACING: f32 = 1.0;
+pub const BADGE_SPACING: (Vec2, Vec2) = (Vec2::new(2.0, 2.0), Vec2::new(1.0, 0.0));
+/// The room between the parts of a row of the list of materials, in points: names need the rest.
+pub const ROW_SPACING: f32 = 3.0;
 /// The height of a badge, in points.
 pub const BADGE_HEIGHT: f32 = 15.0;
 /// The strength of the colour of a material that is not shown.

@@ -14,7 +14,8 @@ pub fn keep_together(ui: &mut Ui, width: f32) {
 }
 
 /// The width of a word in points.
-fn width_of(ui: &Ui, text: &str, style: &egui::TextStyle) -> f32 {
+#[must_use]
+pub fn width_of(ui: &Ui, text: &str, style: &egui::TextStyle) -> f32 {
     let font = style.resolve(ui.style());
     let galley = ui
         .painter()

@@ -1,14 +1,16 @@
 //! The components of the material: what each is, its weight in a mixture, its parameters.
 
-use egui::collapsing_header::{CollapsingState, paint_default_icon};
-use egui::{Align, Button, Layout, Response, RichText, Role, Ui, WidgetInfo};
+use egui::collapsing_header::CollapsingState;
+use egui::{Align, Button, Label, Layout, Response, RichText, Role, Ui, WidgetInfo};
 
+use super::chevron::{self, Points};
 use super::params::{self, Ties};
 use bxdf::Catalogue;
 use bxdf::material::{MAX_COMPONENTS, library};
 use bxdf::param::{self, Value};
 use bxdf::{Category, Component, Material, ModelSpec};
 use bxdf_lab::contract::weight_that_keeps_energy;
+use bxdf_study::store::Side;
 
 /// The weight of a lobe that is added, where there is so much room: the material stays what it is.
 const ADDED_WEIGHT: f64 = 0.25;
@@ -22,7 +24,7 @@ struct Said {
     is_refusal: bool,
 }
 
-/// What stands below the picker.
+/// What is said of the components between frames.
 #[derive(Default)]
 pub struct Components {
     /// What is said of the last change: why it was refused, or what was made of it.
@@ -33,12 +35,17 @@ pub struct Components {
 
 impl Components {
     /// What is said of `material` and its components, one below the other; lobes can be added and removed.
-    pub fn show(&mut self, ui: &mut Ui, material: &mut Material, ties: &mut Ties<'_>) {
-        describe(ui, material);
+    /// `side`: what is folded away of each.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        material: &mut Material,
+        ties: &mut Ties<'_>,
+        side: &mut Side,
+    ) {
         let mut components = material.components().to_vec();
         let is_mixture = components.len() > 1;
-        // One that stands in the library is reset to it, above.
-        let has_origin = library::origin(material).is_some();
+        let is_named = !material.name.is_empty();
         let mut removed = None;
         let last = components.len().saturating_sub(1);
         for (index, component) in components.iter_mut().enumerate() {
@@ -47,8 +54,8 @@ impl Components {
             }
             ui.push_id(index, |ui| {
                 if !is_mixture {
-                    show_only(ui, component, ties, has_origin);
-                } else if show_one_of_many(ui, component, index + 1, ties) {
+                    show_only(ui, component, ties, side, is_named);
+                } else if show_one_of_many(ui, component, index + 1, ties, side) {
                     removed = Some(index);
                 }
             });
@@ -97,52 +104,60 @@ impl Components {
     }
 }
 
-/// Name, note and source of a material that has a name, and the way back to how it stands in the library.
-fn describe(ui: &mut Ui, material: &mut Material) {
-    if material.name.is_empty() {
-        return;
-    }
-    let mut is_reset = false;
-    let heading = |ui: &mut Ui| {
-        let name = ui.label(RichText::new(&material.name).heading());
-        hint_source(name, material);
-    };
-    if let Some(named) = library::origin(material) {
-        ui.horizontal(|ui| {
-            heading(ui);
-            let is_edited = named.material != *material;
-            let hint = "Reset to the material of the list";
-            is_reset = reset_all(ui, &material.name, is_edited, hint);
+/// The name of `material`, at the end of its line what `commands` add and the way back to how it was chosen, and what there is
+/// to look at.
+pub fn describe(ui: &mut Ui, material: &mut Material, commands: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            commands(ui);
+            reset(ui, material);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let title = RichText::new(material.title()).heading();
+                let title = ui.add(Label::new(title).truncate());
+                hint_source(title, &material.source);
+            });
         });
-    } else {
-        // A name of the user's own may take several lines.
-        heading(ui);
-    }
+    });
     if !material.note.is_empty() {
         let note = ui.label(&material.note);
-        hint_source(note, material);
+        hint_source(note, &material.source);
+    } else if let Some(component) = material.only() {
+        let model = component.model();
+        let summary = ui.label(model.summary);
+        hint_source(summary, model.source);
     }
-    ui.add_space(4.0);
-    if let Some(named) = library::origin(material).filter(|_| is_reset) {
-        material.clone_from(&named.material);
+}
+
+/// The button that resets a named material to how it stands in the library, and one of a single model to its defaults.
+fn reset(ui: &mut Ui, material: &mut Material) {
+    if let Some(named) = library::origin(material) {
+        let is_edited = named.material != *material;
+        let hint = "Reset to the material of the list";
+        if reset_all(ui, &material.name, is_edited, hint) {
+            material.clone_from(&named.material);
+        }
+    } else if let [component] = material.components() {
+        let mut component = component.clone();
+        reset_component(ui, &mut component, None);
+        if material.components() != [component.clone()]
+            && let Ok(changed) = material.with_components(vec![component])
+        {
+            *material = changed;
+        }
     }
 }
 
 /// The button at the end of a row that resets all parameters of `what`. Returns whether it is clicked.
 fn reset_all(ui: &mut Ui, what: &str, is_edited: bool, hint: &str) -> bool {
-    let layout = Layout::right_to_left(Align::Center);
-    ui.with_layout(layout, |ui| {
-        let reset = ui
-            .add_enabled(is_edited, Button::new("↺").small().frame(false))
-            .on_hover_text(hint);
-        let name = format!("Reset {what}");
-        reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
-        reset.clicked()
-    })
-    .inner
+    let reset = ui
+        .add_enabled(is_edited, Button::new("↺").small().frame(false))
+        .on_hover_text(hint);
+    let name = format!("Reset {what}");
+    reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
+    reset.clicked()
 }
 
-/// The title of the model of `component`, with what becomes of all its parameters; `ordinal` where there are several.
+/// The button that resets all parameters of `component`; `ordinal` where there are several.
 fn reset_component(ui: &mut Ui, component: &mut Component, ordinal: Option<usize>) {
     let model = component.model();
     let what = ordinal.map_or_else(
@@ -157,29 +172,30 @@ fn reset_component(ui: &mut Ui, component: &mut Component, ordinal: Option<usize
     }
 }
 
-/// Where the numbers come from, at what is said of `material`.
-fn hint_source(said: Response, material: &Material) {
-    if !material.source.is_empty() {
-        said.on_hover_text(&material.source);
+/// Where the numbers come from, at what is said of them.
+fn hint_source(said: Response, source: &str) {
+    if !source.is_empty() {
+        said.on_hover_text(source);
     }
 }
 
-/// The only component: its weight goes without saying, unless a file gave it one.
-fn show_only(ui: &mut Ui, component: &mut Component, ties: &mut Ties<'_>, has_origin: bool) {
+/// The only component: its weight goes without saying, unless a file gave it one, and its title where it is the material's.
+fn show_only(
+    ui: &mut Ui,
+    component: &mut Component,
+    ties: &mut Ties<'_>,
+    side: &mut Side,
+    is_named: bool,
+) {
     let model = component.model();
-    ui.horizontal(|ui| {
+    if is_named {
         ui.label(RichText::new(model.title).strong())
-            .on_hover_text(model.source);
-        if !has_origin {
-            reset_component(ui, component, None);
-        }
-    });
-    ui.label(RichText::new(model.summary).small());
-    ui.add_space(2.0);
+            .on_hover_text(format!("{}\n\n{}", model.summary, model.source));
+    }
     if component.weight() != 1.0 {
         params::show_weight(ui, component, None);
     }
-    params::show(ui, component, None, ties);
+    params::show(ui, component, None, ties, side);
 }
 
 /// A component of several, under a header. `ordinal`: its number, from 1. Returns whether it is to be removed.
@@ -188,19 +204,20 @@ fn show_one_of_many(
     component: &mut Component,
     ordinal: usize,
     ties: &mut Ties<'_>,
+    side: &mut Side,
 ) -> bool {
     let model = component.model();
     let id = ui.make_persistent_id("parameters");
     let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, true);
     let mut is_removed = false;
     ui.horizontal(|ui| {
-        let toggle = state.show_toggle_button(ui, paint_default_icon);
         let name = format!("Parameters of lobe {ordinal}, {}", model.title);
         let is_open = state.is_open();
-        toggle.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, &name));
-        toggle.on_hover_text("Show or hide the parameters of this lobe");
-        ui.label(RichText::new(model.title).strong())
-            .on_hover_text(format!("{}\n\n{}", model.summary, model.source));
+        let points = Points::of_heading(is_open);
+        let hint = "Show or hide the parameters of this lobe";
+        if chevron::button(ui, points, is_open, &name, hint).clicked() {
+            state.set_open(!is_open);
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let remove = ui
                 .add(Button::new("✖").small().frame(false))
@@ -209,11 +226,16 @@ fn show_one_of_many(
             remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
             is_removed = remove.clicked();
             reset_component(ui, component, Some(ordinal));
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let title = RichText::new(model.title).strong();
+                ui.add(Label::new(title).truncate())
+                    .on_hover_text(format!("{}\n\n{}", model.summary, model.source));
+            });
         });
     });
     params::show_weight(ui, component, Some(ordinal));
     state.show_body_unindented(ui, |ui| {
-        params::show(ui, component, Some(ordinal), ties);
+        params::show(ui, component, Some(ordinal), ties, side);
     });
     ui.separator();
     is_removed

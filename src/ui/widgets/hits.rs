@@ -135,6 +135,12 @@ impl Highlight {
         self.is_moved |= self.at != before;
     }
 
+    /// Goes to this place in what is found.
+    pub fn go_to(&mut self, at: usize) {
+        self.is_moved |= self.at != Some(at);
+        self.at = Some(at);
+    }
+
     /// The row that Enter chooses.
     #[must_use]
     pub fn at(&self) -> Option<usize> {
@@ -150,11 +156,22 @@ impl Highlight {
 /// By how many rows Up and Down go in this frame; the field, which would move its cursor, does not see them.
 #[must_use]
 pub fn take_rows(ui: &Ui) -> isize {
-    let presses = |key| {
+    take_presses(ui, [Key::ArrowUp, Key::ArrowDown])
+}
+
+/// By how many places Left and Right go in this frame, as [`take_rows`].
+#[must_use]
+pub fn take_columns(ui: &Ui) -> isize {
+    take_presses(ui, [Key::ArrowLeft, Key::ArrowRight])
+}
+
+/// How often the second key was pressed, less how often the first one was; nobody else sees them.
+fn take_presses(ui: &Ui, keys: [Key; 2]) -> isize {
+    let [back, forth] = keys.map(|key| {
         let presses = ui.input_mut(|input| input.count_and_consume_key(Modifiers::NONE, key));
         isize::try_from(presses).unwrap_or(isize::MAX)
-    };
-    presses(Key::ArrowDown).saturating_sub(presses(Key::ArrowUp))
+    });
+    forth.saturating_sub(back)
 }
 
 #[cfg(test)]

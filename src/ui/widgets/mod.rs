@@ -1,7 +1,10 @@
 //! Parts of the window that are no view.
 
 pub mod badges;
+pub mod bottom;
+pub mod category;
 pub mod chart;
+pub mod chevron;
 pub mod choice;
 pub mod components;
 mod data;

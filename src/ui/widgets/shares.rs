@@ -22,19 +22,54 @@ struct Part {
     is_hatched: bool,
 }
 
-/// The bar, the sums beside it, and a warning where more leaves than arrives.
-pub fn show(ui: &mut Ui, shares: &[LobeShare], palette: &Palette) {
-    let found = Reflectance::of(shares);
-    let parts = parts(shares, palette);
-    bar(ui, &parts, palette).on_hover_ui(|ui| legend(ui, &parts, found.error, palette));
-    ui.label(sums(&found))
-        .on_hover_ui(|ui| legend(ui, &parts, found.error, palette));
-    if creates_energy(&found) {
-        ui.colored_label(palette.warning, "creates energy")
-            .on_hover_text(format!(
-                "More light leaves than arrives: {:.3} times as much, in the channel that gains most",
-                found.largest()
-            ));
+/// What is said where more leaves than arrives.
+const CREATED: &str = "creates energy";
+
+/// Where the light of the selected material goes, about to be shown.
+pub struct Energy<'a> {
+    found: Reflectance,
+    parts: Vec<Part>,
+    palette: &'a Palette,
+}
+
+impl<'a> Energy<'a> {
+    /// Of the shares of its lobes.
+    #[must_use]
+    pub fn of(shares: &[LobeShare], palette: &'a Palette) -> Self {
+        Self {
+            found: Reflectance::of(shares),
+            parts: parts(shares, palette),
+            palette,
+        }
+    }
+
+    /// The bar of shares, with its legend for who points there.
+    pub fn bar(&self, ui: &mut Ui) {
+        bar(ui, &self.parts, self.palette).on_hover_ui(|ui| self.legend(ui));
+    }
+
+    /// The sums, and a warning where more leaves than arrives.
+    pub fn words(&self, ui: &mut Ui) {
+        ui.label(sums(&self.found))
+            .on_hover_ui(|ui| self.legend(ui));
+        if creates_energy(&self.found) {
+            ui.colored_label(self.palette.warning, CREATED)
+                .on_hover_text(format!(
+                    "More light leaves than arrives: {:.3} times as much, in the channel that gains most",
+                    self.found.largest()
+                ));
+        }
+    }
+
+    /// What [`Self::words`] say, one after the other.
+    #[must_use]
+    pub fn texts(&self) -> Vec<String> {
+        let warning = creates_energy(&self.found).then(|| CREATED.to_owned());
+        std::iter::once(sums(&self.found)).chain(warning).collect()
+    }
+
+    fn legend(&self, ui: &mut Ui) {
+        legend(ui, &self.parts, self.found.error, self.palette);
     }
 }
 
@@ -42,11 +77,17 @@ fn creates_energy(found: &Reflectance) -> bool {
     found.largest() > 1.0 + found.error + EXCESS
 }
 
-/// What becomes of the light, in words. Where energy is created, what is left of it is no share that is absorbed.
+/// What becomes of the light, in words; nothing of what is not transmitted. Where energy is created, what is left of it is no
+/// share that is absorbed.
 fn sums(found: &Reflectance) -> String {
     let [reflected, transmitted, rest] = rounded(found);
     let (verb, rest) = named_rest(rest);
-    format!("reflected {reflected:.3} | transmitted {transmitted:.3} | {verb} {rest:.3}")
+    let transmitted = if transmitted == 0.0 {
+        String::new()
+    } else {
+        format!("transmitted {transmitted:.3} | ")
+    };
+    format!("reflected {reflected:.3} | {transmitted}{verb} {rest:.3}")
 }
 
 /// What the rest to 1 is, and how much of it.
@@ -187,10 +228,16 @@ mod tests {
             transmission: [0.0; 3],
             error: 1e-3,
         };
-        let expected = "reflected 1.329 | transmitted 0.000 | created 0.329";
+        let expected = "reflected 1.329 | created 0.329";
         assert_eq!(sums(&of(1.329)), expected);
-        let expected = "reflected 1.002 | transmitted 0.000 | absorbed 0.000";
+        let expected = "reflected 1.002 | absorbed 0.000";
         assert_eq!(sums(&of(1.002)), expected);
+        let glass = Reflectance {
+            transmission: [0.5; 3],
+            ..of(0.2)
+        };
+        let expected = "reflected 0.200 | transmitted 0.500 | absorbed 0.300";
+        assert_eq!(sums(&glass), expected);
         let lobe = Lobe::reflection(Category::Diffuse);
         let share = |value: f64| LobeShare {
             lobe,

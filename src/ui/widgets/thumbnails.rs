@@ -1,41 +1,108 @@
-//! Small pictures of the named materials, asked for when they first come into sight.
+//! Small pictures of materials, asked for when they first come into sight.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
-use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
+use egui::{
+    Color32, ColorImage, Context, Rect, TextureHandle, TextureId, TextureOptions, Ui, pos2,
+};
 
 use crate::theme;
-use bxdf::material::library::Named;
+use bxdf::Material;
 use bxdf_lab::analysis::thumbnail::{Picture, Request};
 use bxdf_study::answers::Answers;
+use bxdf_study::session::{EntryId, MaterialEntry, Materials};
 
 /// The most pixels along a side: more show nothing more.
-const MAX_SIDE: usize = 48;
+const MAX_SIDE: usize = 72;
+
+/// What a picture shows.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Of {
+    /// What is listed by this id.
+    Listed(&'static str),
+    /// A material of the session.
+    Entry(EntryId),
+}
+
+/// A picture that was made.
+struct Made {
+    picture: Arc<Picture>,
+    texture: TextureHandle,
+}
 
 /// The pictures made so far.
 #[derive(Default)]
 pub struct Thumbnails {
-    textures: HashMap<&'static str, TextureHandle>,
+    made: HashMap<Of, Made>,
 }
 
 impl Thumbnails {
-    /// The picture of `named`; `None` while `data` has none.
-    pub fn get(
+    /// The picture of what is listed by this id, `size` points wide; `None` while `answers` has none.
+    pub fn of_listed(
         &mut self,
         ctx: &Context,
-        named: &'static Named,
+        (id, material): (&'static str, &Material),
+        size: f32,
         answers: &mut Answers,
     ) -> Option<TextureId> {
-        if let Some(texture) = self.textures.get(named.id) {
-            return Some(texture.id());
+        let of = Of::Listed(id);
+        if let Some(made) = self.made.get(&of) {
+            return Some(made.texture.id());
         }
-        let pixels = (theme::THUMBNAIL_SIZE * ctx.pixels_per_point()).round() as usize;
-        let side = pixels.clamp(1, MAX_SIDE);
-        let picture = answers.of_named(named, Request { side })?;
-        let texture = ctx.load_texture(named.id, image(&picture), TextureOptions::LINEAR);
-        let id = texture.id();
-        self.textures.insert(named.id, texture);
-        Some(id)
+        let picture = answers.of_listed(id, material, request(ctx, size))?;
+        Some(self.made(ctx, of, picture))
+    }
+
+    /// The picture of a material of the session, `size` points wide; while the one of its present parameters is made, the one
+    /// of those before.
+    pub fn of_entry(
+        &mut self,
+        ctx: &Context,
+        entry: &MaterialEntry,
+        size: f32,
+        answers: &mut Answers,
+    ) -> Option<TextureId> {
+        let of = Of::Entry(entry.id());
+        if let Some(picture) = answers.of_material(entry, request(ctx, size)) {
+            return Some(self.made(ctx, of, picture));
+        }
+        self.made.get(&of).map(|made| made.texture.id())
+    }
+
+    /// Forgets the pictures of materials that are no longer there.
+    pub fn keep_those_of(&mut self, materials: &Materials) {
+        self.made.retain(|of, _| match of {
+            Of::Listed(_) => true,
+            Of::Entry(id) => materials.get(*id).is_some(),
+        });
+    }
+
+    /// The texture of `picture`, made anew where it is another than before.
+    fn made(&mut self, ctx: &Context, of: Of, picture: Arc<Picture>) -> TextureId {
+        let options = TextureOptions::LINEAR;
+        let made = self.made.entry(of).or_insert_with(|| Made {
+            texture: ctx.load_texture("thumbnail", image(&picture), options),
+            picture: Arc::clone(&picture),
+        });
+        if !Arc::ptr_eq(&made.picture, &picture) {
+            made.texture.set(image(&picture), options);
+            made.picture = picture;
+        }
+        made.texture.id()
+    }
+}
+
+/// Draws a picture into `rect`.
+pub fn paint(ui: &Ui, rect: Rect, texture: TextureId, tint: Color32) {
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    ui.painter().image(texture, rect, whole, tint);
+}
+
+fn request(ctx: &Context, size: f32) -> Request {
+    let pixels = (size * ctx.pixels_per_point()).round() as usize;
+    Request {
+        side: pixels.clamp(1, MAX_SIDE),
     }
 }
 
@@ -64,7 +131,12 @@ mod tests {
         let mut made = [false; 2];
         let mut output = ctx.run_ui(RawInput::default(), |ui| {
             let [first, second] = [&library::all()[0], &library::all()[1]];
-            made = [first, second].map(|named| thumbnails.get(ui.ctx(), named, answers).is_some());
+            made = [first, second].map(|named| {
+                let listed = (named.id, &named.material);
+                thumbnails
+                    .of_listed(ui.ctx(), listed, 36.0, answers)
+                    .is_some()
+            });
         });
         // egui insists that somebody takes them.
         output.textures_delta.clear();

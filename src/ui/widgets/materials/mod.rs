@@ -3,18 +3,28 @@
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::theme::{self, Palette};
+use crate::widgets::thumbnails::Thumbnails;
 use action::{Action, grip_id, row_id};
 use bxdf::error::Result;
 use bxdf_lab::contract::Witness;
 use bxdf_study::answers::Answers;
 use bxdf_study::session::{EntryId, Materials};
+use icons::Icon;
 use row::Row;
 
 mod action;
+mod icons;
 mod row;
 
-/// The share of the panel's height that the list may take; the rest is for the picker and the parameters.
-const LIST_SHARE: f32 = 0.26;
+/// The share of the panel's height that the list takes, in whole rows and whatever is in it: what stands below it does not
+/// move when a material is added. The rest is for the parameters.
+const LIST_SHARE: f32 = 0.2;
+
+/// The fewest and the most rows that are in sight, where the fewest leave room for the parameters.
+const ROWS: [f32; 2] = [3.0, 8.0];
+
+/// The largest share of the panel's height that the fewest rows may take.
+const LARGEST_SHARE: f32 = 0.4;
 
 /// What the list keeps between frames.
 #[derive(Default)]
@@ -23,6 +33,7 @@ pub struct MaterialList {
     renaming: Option<(EntryId, String)>,
     /// The selected material, as the list last showed it.
     scrolled_to: Option<EntryId>,
+    thumbnails: Thumbnails,
 }
 
 impl MaterialList {
@@ -38,12 +49,19 @@ impl MaterialList {
         palette: &Palette,
     ) -> Result<Option<Witness>> {
         let mut wished = Vec::new();
+        self.thumbnails.keep_those_of(materials);
+        let [fewest, most] = ROWS;
+        let rows_of = |share: f32| (share * ui.available_height() / theme::ROW_HEIGHT).floor();
+        let fewest = fewest.min(rows_of(LARGEST_SHARE)).max(1.0);
+        let height = rows_of(LIST_SHARE).clamp(fewest, most) * theme::ROW_HEIGHT;
         let area = ScrollArea::vertical()
             .id_salt("material list")
-            .max_height(LIST_SHARE * ui.available_height())
-            .auto_shrink([false, true]);
+            .max_height(height)
+            .min_scrolled_height(height)
+            .auto_shrink([false, false]);
         area.show(ui, |ui| {
             ui.set_max_width(ui.available_width() - theme::SCROLL_ROOM);
+            ui.spacing_mut().item_spacing.y = 0.0;
             let rects = self.rows(ui, materials, answers, palette, &mut wished);
             if let Some((id, place)) = dragged_to(ui, materials, &rects) {
                 wished.push((id, Action::MoveTo(place)));
@@ -57,6 +75,35 @@ impl MaterialList {
             }
         }
         result
+    }
+
+    /// The list as icons below one another, where there is no room for more; a click selects.
+    pub fn icons(
+        &mut self,
+        ui: &mut Ui,
+        materials: &mut Materials,
+        answers: &mut Answers,
+        palette: &Palette,
+    ) {
+        self.thumbnails.keep_those_of(materials);
+        let mut chosen = None;
+        let area = ScrollArea::vertical()
+            .id_salt("material icons")
+            .auto_shrink([false, true]);
+        area.show(ui, |ui| {
+            for entry in materials.iter() {
+                let icon = Icon { materials, entry };
+                if icon
+                    .show(ui, &mut self.thumbnails, answers, palette)
+                    .clicked()
+                {
+                    chosen = Some(entry.id());
+                }
+            }
+        });
+        if let Some(id) = chosen {
+            materials.select(id);
+        }
     }
 
     /// Every row; returns where they are.
@@ -81,7 +128,8 @@ impl MaterialList {
             };
             // A row keeps its ids, and with them the focus, when it moves.
             let scope = UiBuilder::new().scope_id(row_id(id));
-            let response = ui.scope_builder(scope, |ui| row.show(ui, answers, palette));
+            let thumbnails = &mut self.thumbnails;
+            let response = ui.scope_builder(scope, |ui| row.show(ui, thumbnails, answers, palette));
             wished.extend(response.inner.into_iter().map(|action| (id, action)));
             let response = response.response;
             rects.push(response.rect);

@@ -2,17 +2,25 @@
 
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, Atom, Button, Checkbox, Key, Layout, Rect, Response, Role, Sense, TextEdit, Ui,
-    WidgetInfo, vec2,
+    Align, Button, Checkbox, FontSelection, Key, Layout, Rect, Response, RichText, Role, Sense,
+    TextEdit, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
 };
 
 use super::action::{Action, grip_id, is_pressed};
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::badges::Badges;
+use crate::widgets::chevron::focus_ring;
 use crate::widgets::draw;
+use crate::widgets::thumbnails::{self, Thumbnails};
 use bxdf_lab::contract::PhysicalLaws;
 use bxdf_study::answers::Answers;
 use bxdf_study::session::{MaterialEntry, Materials};
+
+/// The length of the line below a name, in points: it shows what of it are dashes.
+const LINE_LENGTH: f32 = 40.0;
+
+/// The room of that line, in points.
+const LINE_ROOM: f32 = 6.0;
 
 /// A row, about to be shown.
 pub(super) struct Row<'a> {
@@ -24,21 +32,28 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// The row: grip, whether it is seen, line, name, badge, menu. Returns what the user wants.
+    /// The row: grip, whether it is seen, picture, name over its line, badge, menu. Returns what the user wants.
     pub(super) fn show(
         &self,
         ui: &mut Ui,
+        thumbnails: &mut Thumbnails,
         answers: &mut Answers,
         palette: &Palette,
     ) -> Vec<Action> {
         let mut wished = Vec::new();
-        ui.horizontal(|ui| {
+        let size = vec2(ui.available_width(), theme::ROW_HEIGHT);
+        let row = Rect::from_min_size(ui.cursor().min, size);
+        if self.is_selected() {
+            let fill = ui.visuals().selection.bg_fill;
+            ui.painter().rect_filled(row, 4.0, fill);
+        }
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_height(theme::ROW_HEIGHT);
+            ui.spacing_mut().item_spacing.x = theme::ROW_SPACING;
             self.grip(ui, &mut wished);
             self.visibility(ui, &mut wished);
-            self.line(ui, palette);
+            self.picture(ui, thumbnails, answers);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                // Names need the room.
-                ui.spacing_mut().item_spacing.x = theme::ROW_SPACING;
                 self.menu_button(ui, &mut wished);
                 self.badge(ui, answers, palette, &mut wished);
                 if self.is_alone() {
@@ -51,7 +66,7 @@ impl Row<'_> {
                 }
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     match self.typed {
-                        None => self.name(ui, &mut wished),
+                        None => self.name(ui, palette, &mut wished),
                         Some(typed) => self.name_field(ui, typed, &mut wished),
                     }
                 });
@@ -144,29 +159,67 @@ impl Row<'_> {
         }
     }
 
-    fn line(&self, ui: &mut Ui, palette: &Palette) {
-        let size = vec2(theme::LINE_SAMPLE, theme::GRIP.y);
-        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-        let color = palette.material(self.entry.slot());
-        let color = if self.materials.is_shown(self.entry) {
-            color
-        } else {
-            color.gamma_multiply(theme::HIDDEN_STRENGTH)
-        };
-        let ends = [rect.left_center(), rect.right_center()];
-        let stroke = (theme::CURVE_WIDTH, color);
-        draw::line(ui.painter(), ends, stroke, Dash::of(self.entry.slot()));
-        response.on_hover_text("Its line and colour in the views");
+    /// How it looks, as a sphere.
+    fn picture(&self, ui: &mut Ui, thumbnails: &mut Thumbnails, answers: &mut Answers) {
+        let side = Vec2::splat(theme::ROW_PICTURE);
+        let (rect, _) = ui.allocate_exact_size(side, Sense::hover());
+        if ui.is_rect_visible(rect)
+            && let Some(texture) =
+                thumbnails.of_entry(ui.ctx(), self.entry, theme::ROW_PICTURE, answers)
+        {
+            let strength = self.strength();
+            let tint = egui::Color32::WHITE.gamma_multiply(strength);
+            thumbnails::paint(ui, rect, texture, tint);
+        }
     }
 
-    fn name(&self, ui: &mut Ui, wished: &mut Vec<Action>) {
-        let is_selected = self.materials.selected().id() == self.entry.id();
-        let button = Button::selectable(is_selected, (self.title.as_str(), Atom::grow()))
-            .truncate()
-            .min_size(vec2(ui.available_width(), 0.0));
-        let row = ui.add(button);
+    /// The strength of what stands for it: less where the views do not show it.
+    fn strength(&self) -> f32 {
+        if self.materials.is_shown(self.entry) {
+            1.0
+        } else {
+            theme::HIDDEN_STRENGTH
+        }
+    }
+
+    fn is_selected(&self) -> bool {
+        self.materials.selected().id() == self.entry.id()
+    }
+
+    /// The name, over its line and colour in the views.
+    fn name(&self, ui: &mut Ui, palette: &Palette, wished: &mut Vec<Action>) {
+        let size = vec2(ui.available_width(), theme::ROW_HEIGHT);
+        let (rect, row) = ui.allocate_exact_size(size, Sense::click());
+        let is_selected = self.is_selected();
         let name = format!("Select {}", self.title);
         row.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &name));
+        let color = if is_selected || row.hovered() {
+            ui.visuals().strong_text_color()
+        } else {
+            ui.visuals().text_color()
+        };
+        let text = WidgetText::from(RichText::new(&self.title).color(color)).into_galley(
+            ui,
+            Some(TextWrapMode::Truncate),
+            rect.width(),
+            FontSelection::Default,
+        );
+        // Both together stand in the middle of the row.
+        let height = text.size().y + LINE_ROOM;
+        let top = rect.center().y - 0.5 * height;
+        ui.painter().galley(pos2(rect.left(), top), text, color);
+        let y = top + height - theme::CURVE_WIDTH;
+        let ends = [rect.left(), rect.left() + LINE_LENGTH.min(rect.width())];
+        let line = palette
+            .material(self.entry.slot())
+            .gamma_multiply(self.strength());
+        draw::line(
+            ui.painter(),
+            ends.map(|x| pos2(x, y)),
+            (theme::CURVE_WIDTH, line),
+            Dash::of(self.entry.slot()),
+        );
+        focus_ring(ui, &row);
         if row.double_clicked() || is_pressed(ui, &row, Key::F2, false) {
             wished.push(Action::StartRenaming);
         } else if row.clicked() {
@@ -178,7 +231,7 @@ impl Row<'_> {
         self.move_by_keys(ui, &row, wished);
         row.context_menu(|ui| self.menu(ui, wished));
         row.on_hover_text(format!(
-            "{}\nClick to edit it below, double-click to rename it",
+            "{}, with its line and colour in the views\nClick to edit it below, double-click to rename it",
             self.title
         ));
     }

@@ -1,6 +1,6 @@
 //! What a number that is typed is called, what it may be, and how it is written.
 
-use egui::{Response, RichText, Ui, accesskit};
+use egui::{Align2, Area, Frame, Order, Response, RichText, Ui, accesskit, vec2};
 
 use super::parse;
 use bxdf_study::format;
@@ -173,6 +173,23 @@ impl Shown {
             let color = ui.visuals().error_fg_color;
             ui.label(RichText::new(words).small().color(color));
         }
+    }
+
+    /// The same above the field, for a bar in which nothing can stand below it.
+    pub fn explain_above(&self, ui: &Ui) {
+        /// Between the words and the field, in points.
+        const GAP: f32 = 6.0;
+        let Some(words) = &self.refusal else { return };
+        let color = ui.visuals().error_fg_color;
+        Area::new(self.response.id.with("refusal"))
+            .order(Order::Tooltip)
+            .interactable(false)
+            .pivot(Align2::LEFT_BOTTOM)
+            .fixed_pos(self.response.rect.left_top() - vec2(0.0, GAP))
+            .show(ui.ctx(), |ui| {
+                let words = egui::Label::new(RichText::new(words).color(color)).extend();
+                Frame::popup(ui.style()).show(ui, |ui| ui.add(words));
+            });
     }
 }
 

@@ -1,15 +1,17 @@
 //! What the picker lists: models and named materials.
 
+use std::borrow::Cow;
+
 use crate::widgets::hits::Known;
 use bxdf::Catalogue;
 use bxdf::material::library::{self, Named};
-use bxdf::{Category, Material, ModelSpec};
+use bxdf::{Category, Material, ModelSpec, Side};
 
 /// Which list is shown.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum List {
-    #[default]
     Models,
+    #[default]
     Materials,
 }
 
@@ -33,6 +35,28 @@ impl List {
         };
         all.sort_by_key(|entry| entry.category());
         all
+    }
+
+    /// Both, in the order of the tabs: its title and what stands in it.
+    pub(super) const ALL: [(Self, &str, &str); 2] = [
+        (
+            Self::Materials,
+            "Materials",
+            "Things to recognise: one or several models with parameters from a stated source",
+        ),
+        (
+            Self::Models,
+            "Models",
+            "Formulas at their default parameters, each by itself",
+        ),
+    ];
+
+    /// The one in which what `material` was chosen as stands; `None` for a file of the user's own.
+    pub(super) fn of(material: &Material) -> Option<Self> {
+        Entry::of(material).map(|entry| match entry {
+            Entry::Model(_) => Self::Models,
+            Entry::Named(_) => Self::Materials,
+        })
     }
 
     /// The other one.
@@ -82,10 +106,18 @@ impl Entry {
     }
 
     /// The material as it stands in the list.
-    pub(super) fn material(self) -> Material {
+    pub(super) fn material(self) -> Cow<'static, Material> {
         match self {
-            Self::Model(model) => Material::of(model),
-            Self::Named(named) => named.material.clone(),
+            Self::Model(model) => Cow::Owned(Material::of(model)),
+            Self::Named(named) => Cow::Borrowed(&named.material),
+        }
+    }
+
+    /// What it is called in the grid.
+    pub(super) fn title(self) -> String {
+        match self {
+            Self::Model(model) => title(model),
+            Self::Named(named) => named.material.name.clone(),
         }
     }
 
@@ -124,4 +156,15 @@ impl Entry {
             }
         }
     }
+}
+
+/// The title, and the sides where they are not plain from it.
+#[must_use]
+pub fn title(model: &ModelSpec) -> String {
+    let sides: Vec<&str> = [(Side::Reflection, "R"), (Side::Transmission, "T")]
+        .into_iter()
+        .filter(|(side, _)| model.lobes.iter().any(|lobe| lobe.side == *side))
+        .map(|(_, letter)| letter)
+        .collect();
+    format!("{}  ({})", model.title, sides.join(" + "))
 }
