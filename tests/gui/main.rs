@@ -22,6 +22,7 @@ mod integral;
 mod interaction;
 mod keeping;
 mod list;
+mod lobe;
 mod materials;
 mod number_field;
 mod numbers;

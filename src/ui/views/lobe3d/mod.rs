@@ -7,18 +7,26 @@ use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec3};
 
 use super::context::ViewContext;
-use crate::scene3d::{self, Projection as _, SceneView};
+use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
+use crate::widgets::labels::Labels;
 use crate::widgets::legend::{self, Swatch};
-use crate::widgets::{draw, handle, reset};
+use crate::widgets::{draw, reset};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::Session;
 use bxdf_study::session::{HomeView, OrbitCamera};
 use bxdf_study::views::lobe3d::Options;
+use glide::Glide;
 use sketch::Sketch;
 use surface::Lobes;
 
+mod glide;
+mod held;
+mod isolines;
+mod level;
+mod looks;
 mod scene;
+mod shadow;
 mod sizes;
 mod sketch;
 mod surface;
@@ -27,6 +35,8 @@ mod surface;
 const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
 /// How much closer the camera then comes.
 const UPPER_ZOOM: f32 = 1.15;
+/// Where the button stands that puts the camera back.
+const RESET_CORNER: Align2 = Align2::LEFT_TOP;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     legend::show(ui, Swatch::Patch, cx.session, cx.palette);
@@ -36,28 +46,39 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let requested = scene::requested(cx);
     let has_lower = cx.state.shows_lower_half(cx.session);
     move_camera(ui, &response, cx.session);
-    let camera = centred(&cx.session.camera, has_lower);
+    let camera = centred(&glided(ui, cx), has_lower);
     let drawing = scene::drawing(ui, cx, requested, has_lower);
     let view = SceneView {
         id: ui.scope_id().value(),
         scene: Arc::clone(&drawing.scene),
         version: drawing.version,
         camera: camera.clone(),
-        background: rgba(cx.palette.background, 255),
+        backdrop: Backdrop {
+            edge: rgba(cx.palette.background, 255),
+            middle: rgba(cx.palette.backdrop, 255),
+        },
     };
     ui.painter().add(scene3d::shape(rect, view));
+    // The camera is part of the session, which pictures show too: nobody can click in them.
+    let is_moved = !cx.session.camera.is_home() && !cx.state.is_picture;
+    let mut labels = Labels::within(rect);
+    labels.keep_off(home_buttons(ui, rect, cx.session));
+    if is_moved {
+        labels.keep_off(reset::place(rect, RESET_CORNER));
+    }
+    let tip = camera.project(cx.session.held().as_vec3(), rect);
+    if let Some(tip) = tip {
+        labels.keep_off(held::room(tip));
+    }
     let sketch = Sketch {
         ui,
         rect,
         camera: &camera,
         palette: cx.palette,
-        taken: RefCell::default(),
+        labels: RefCell::new(labels),
     };
-    sketch.name_axes(&drawing.lobes);
-    sketch.label(cx.session, &drawing.lobes);
-    sketch.scale(&drawing.lobes, cx.session);
-    home_buttons(ui, rect, cx.session);
-    if drag_held(ui, cx, rect, &camera) {
+    sketch.draw(cx.session, &drawing);
+    if held::drag(ui, cx, rect, &camera) {
         cx.state.keep_arrangement(has_lower);
     } else if !response.dragged() {
         read_out(ui, cx, &response, &drawing.lobes, &camera);
@@ -65,11 +86,23 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if !response.hovered() {
         mark_cursor(ui, cx, rect, &camera);
     }
-    // The camera is part of the session, which pictures show too: nobody can click in them.
-    let is_moved = !cx.session.camera.is_home() && !cx.state.is_picture;
-    if reset::button(ui, rect, Align2::LEFT_TOP, is_moved) {
+    if reset::button(ui, rect, RESET_CORNER, is_moved) {
         cx.session.camera = OrbitCamera::default();
     }
+}
+
+/// The session's camera, or where it is on its way there.
+fn glided(ui: &Ui, cx: &mut ViewContext<'_, Options>) -> OrbitCamera {
+    if cx.state.is_picture {
+        return cx.session.camera.clone();
+    }
+    let now = ui.input(|input| input.time);
+    let glide: &mut Glide = cx.state.own(cx.view);
+    let (camera, is_on_way) = glide.shown(&cx.session.camera, now);
+    if is_on_way {
+        ui.ctx().request_repaint();
+    }
+    camera
 }
 
 /// The direction pointed at in another view: a line to the dome.
@@ -113,15 +146,16 @@ fn move_camera(ui: &Ui, response: &egui::Response, session: &mut Session) {
     }
 }
 
-fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
+/// The buttons below the picture; what they cover.
+fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) -> Rect {
     let strip = Rect::from_min_size(
         rect.left_bottom() + vec2(6.0, -28.0),
         vec2(rect.width() - 12.0, 22.0),
     );
-    ui.scope_builder(
+    let shown = ui.scope_builder(
         egui::UiBuilder::new().max_rect(strip).id_salt("home views"),
         |ui| {
-            ui.horizontal(|ui| {
+            let row = ui.horizontal(|ui| {
                 for home in HomeView::ALL {
                     let hint = "Look from here; double-click the view to reset, drag to orbit, \
                     Shift-drag to pan, scroll to zoom";
@@ -134,25 +168,10 @@ fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
                 ui.toggle_value(&mut session.show_geometry, "Angles")
                     .on_hover_text(hint);
             });
+            row.response.rect
         },
     );
-}
-
-/// The handle of the held direction on the dome. Returns whether it is being dragged.
-fn drag_held(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, camera: &OrbitCamera) -> bool {
-    let Some(tip) = camera.project(cx.session.held().as_vec3(), rect) else {
-        return false;
-    };
-    let color = cx.palette.held(cx.session.hold);
-    let name = "Held direction in the 3D lobe";
-    let named = (ui.scope_id().with("held"), name, rect);
-    let handle = handle::show(ui, tip, named, color, cx.palette);
-    if let Some(place) = handle.dragged_to() {
-        cx.session
-            .set_held(camera.ray(place, rect).drag_on_sphere(1.0).as_dvec3());
-        ui.ctx().request_repaint();
-    }
-    handle.is_dragged()
+    shown.inner
 }
 
 /// The direction and value under the pointer: on the lobe where the pointer meets it, else on the dome.
