@@ -69,8 +69,7 @@ impl Surface {
 /// Everything one 3D view draws.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    /// What the rest stands on: matt, hides what is behind it, and is seen from outside only, so that who looks from below
-    /// looks through it.
+    /// What the rest stands on: matt, and hides what is behind it; it is not there for who looks from below.
     pub ground: Surface,
     /// Matt bodies that hide what is behind them, under a key and a rim light, and darker towards the origin and the
     /// plane z = 0, from which they rise.

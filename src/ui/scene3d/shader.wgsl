@@ -131,6 +131,9 @@ fn fs_ground(in: SurfaceVarying) -> @location(0) vec4<f32> {
     let lit = matt(in.color.rgb, normal, to_eye, 1.0);
     // On the side, the grain of the top would be streaks.
     let strength = GRAIN * smoothstep(0.5, 1.0, normal.z);
+    if view.eye.z < 0.0 {
+        discard;
+    }
     let grain = 1.0 + strength * (2.0 * bumps(in.world.xy / GRAIN_SIZE) - 1.0);
     return vec4(lit * grain, 1.0);
 }

@@ -49,10 +49,11 @@ impl Scene {
         self.ground.append(&vertices, grid(bands, true));
     }
 
-    /// Adds the translucent unit disc in the surface plane, for what lets one see through it.
+    /// Adds the translucent unit disc below the surface plane: what is seen of a table from below, and all of it where one
+    /// sees through it from above, too.
     pub fn add_ground_disc(&mut self, color: Rgba) {
         let vertex = |p: Vec3| Vertex {
-            position: p.into(),
+            position: (p - 2.0 * TABLE_DROP * Vec3::Z).into(),
             normal: Vec3::Z.into(),
             color,
         };

@@ -50,11 +50,11 @@ impl Lobes {
         let look = move |part: &Part| match session.lobe_surface {
             LobeSurface::Wire => Look::Wire,
             LobeSurface::Translucent => see_through,
-            // What is drawn inside has to show.
-            _ if session.show_geometry => see_through,
             LobeSurface::Automatic if is_overlay && part.material != selected => {
                 Look::Shell(theme::SHELL_ALPHA)
             }
+            // What is drawn inside has to show.
+            _ if session.show_geometry => see_through,
             LobeSurface::Automatic | LobeSurface::Solid => Look::Body,
         };
         self.all
@@ -233,7 +233,7 @@ mod tests {
     use super::super::surface::LARGEST_RADIUS;
     use super::*;
     use bxdf_lab::analysis::{Channel, RadialScale, polar};
-    use bxdf_study::data::Data;
+    use bxdf_study::answers::Answers;
     use bxdf_study::views;
 
     fn session(material: &str) -> Session {
@@ -297,7 +297,7 @@ mod tests {
                 let lines = cut(part, lobe, &session);
                 let request = views::polar::Options::default().request(&session);
                 let entry = session.materials.selected();
-                let section = Data::at_once().ask(&session, entry, request);
+                let section = Answers::at_once().ask(&session, entry, request);
                 let mut seen = 0;
                 for point in &section.upper {
                     let value = Channel::Luminance.of(point.value);

@@ -107,12 +107,12 @@ pub(super) fn drawing(
         });
         let lobes = Lobes::of(parts.collect(), session);
         let mut scene = Scene::default();
+        // Before the edges of a mesh, in which it lies.
+        lobes.add_cut(&mut scene, session, palette);
         lobes.add_to(&mut scene, session);
         let isolines = lobes.add_isolines(&mut scene, session, palette);
-        lobes.add_cut(&mut scene, session, palette);
-        if has_lower {
-            scene.add_ground_disc(palette.ground);
-        } else {
+        scene.add_ground_disc(palette.ground);
+        if !has_lower {
             let shadow = lobes.shadow(session);
             scene.add_table(palette.table, |place| shadow.at(place));
         }

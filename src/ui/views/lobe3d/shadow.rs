@@ -11,6 +11,8 @@ const FADING: f32 = 0.3;
 const SOFTENING: usize = 2;
 /// Passes of softening: the third makes a box nearly a bell.
 const PASSES: usize = 3;
+/// A triangle narrower than this, in cells, is drawn by its sides.
+const NARROW: f32 = 2.0;
 /// The share of the light that is kept from the surface where a lobe touches it.
 const DARKEST: f32 = 0.62;
 
@@ -54,33 +56,50 @@ impl Shadow {
             .unwrap_or(0.0)
     }
 
-    /// Darkens the cells below a triangle; below a narrow one, those of its corners.
+    /// Darkens the cells below a triangle.
     fn cast(&mut self, corners: [Vec3; 3]) {
-        let flat = corners.map(|corner| to_cells(corner.truncate()));
-        for (corner, at) in corners.iter().zip(flat) {
-            self.darken(at.x.floor(), at.y.floor(), corner.z);
+        let [a, b, c] = corners.map(|corner| to_cells(corner.truncate()).extend(corner.z));
+        let sides = [[a, b], [b, c], [c, a]];
+        let longest = sides
+            .map(|[from, to]| from.distance(to))
+            .into_iter()
+            .fold(0.0, f32::max);
+        let area = (b - a).truncate().perp_dot((c - a).truncate());
+        // Of a narrow one, a fill would go through many cells to meet few.
+        if area.abs() > NARROW * longest {
+            self.fill([a, b, c], area);
+        } else {
+            sides.into_iter().for_each(|side| self.draw(side));
         }
-        let [a, b, c] = flat;
-        let area = (b - a).perp_dot(c - a);
-        if area.abs() < 1e-6 {
-            return;
-        }
+    }
+
+    /// Darkens the cells whose middle lies below a triangle of twice this area, in cells.
+    fn fill(&mut self, [a, b, c]: [Vec3; 3], area: f32) {
         let (low, high) = (a.min(b).min(c).floor(), a.max(b).max(c).floor());
         let mut y = low.y.max(0.0);
         while y <= high.y {
             let mut x = low.x.max(0.0);
             while x <= high.x {
-                let middle = Vec2::new(x + 0.5, y + 0.5);
-                let of_b = (middle - a).perp_dot(c - a) / area;
-                let of_c = (b - a).perp_dot(middle - a) / area;
-                let of_a = 1.0 - of_b - of_c;
-                if of_a.min(of_b).min(of_c) >= 0.0 {
-                    let shares = corners.iter().zip([of_a, of_b, of_c]);
-                    self.darken(x, y, shares.map(|(corner, share)| corner.z * share).sum());
+                let from_a = Vec2::new(x + 0.5, y + 0.5) - a.truncate();
+                let of_b = from_a.perp_dot((c - a).truncate()) / area;
+                let of_c = (b - a).truncate().perp_dot(from_a) / area;
+                if of_b.min(of_c).min(1.0 - of_b - of_c) >= 0.0 {
+                    self.darken(x, y, a.z + of_b * (b.z - a.z) + of_c * (c.z - a.z));
                 }
                 x += 1.0;
             }
             y += 1.0;
+        }
+    }
+
+    /// Darkens the cells below a line.
+    fn draw(&mut self, [from, to]: [Vec3; 2]) {
+        let steps = from.truncate().distance(to.truncate()).ceil().max(1.0);
+        let mut step = 0.0;
+        while step <= steps {
+            let at = from.lerp(to, step / steps);
+            self.darken(at.x.floor(), at.y.floor(), at.z);
+            step += 1.0;
         }
     }
 

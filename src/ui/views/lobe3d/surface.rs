@@ -186,12 +186,24 @@ impl DrawnLobe {
 }
 
 #[cfg(test)]
+impl Lobes {
+    /// The lobes that `session` shows.
+    pub(super) fn of_session(session: &Session) -> Self {
+        let mut answers = bxdf_study::answers::Answers::at_once();
+        let part = |entry: &bxdf_study::session::MaterialEntry| Part {
+            material: entry.id(),
+            title: entry.title(),
+            color: Color32::WHITE,
+            mesh: answers.ask(session, entry, bxdf_study::views::lobe3d::request(session)),
+            arrows: answers.ask(session, entry, bxdf_lab::analysis::deltas::Arrows),
+        };
+        Self::of(session.materials.shown().map(part).collect(), session)
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
-    use bxdf_lab::analysis::deltas::Arrows;
-    use bxdf_study::answers::Answers;
-    use bxdf_study::session::MaterialEntry;
-    use bxdf_study::views::lobe3d::request;
 
     #[test]
     fn several_lobes_share_the_scale_and_the_nearest_is_met() {
