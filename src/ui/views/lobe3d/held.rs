@@ -20,6 +20,8 @@ const RAY: [f32; 2] = [3.5, 7.0];
 const EYE: [f32; 2] = [16.0, 11.0];
 /// Width of the strokes of either, in points.
 const STROKE: f32 = 1.6;
+/// How much wider the halo is that sets them off against a lobe, in points.
+const HALO: f32 = 2.0;
 /// Steps of a lid of the eye.
 const LID_STEPS: u8 = 12;
 
@@ -60,7 +62,9 @@ fn sun(painter: &Painter, middle: Pos2, palette: &Palette) {
     for ray in 0..RAYS {
         let way = Vec2::angled(TAU * f32::from(ray) / f32::from(RAYS));
         let ends = RAY.map(|beyond| middle + way * (HANDLE_RADIUS + beyond));
-        painter.line_segment(ends, (STROKE, palette.light));
+        for stroke in [(STROKE + HALO, palette.background), (STROKE, palette.light)] {
+            painter.line_segment(ends, stroke);
+        }
     }
 }
 
@@ -72,6 +76,12 @@ fn eye(painter: &Painter, middle: Pos2, palette: &Palette) {
             let x = 2.0 * f32::from(step) / f32::from(LID_STEPS) - 1.0;
             middle + vec2(width * x, side * height * (1.0 - x * x))
         });
-        painter.line(lid.collect(), (STROKE, palette.viewer));
+        let lid: Vec<Pos2> = lid.collect();
+        for stroke in [
+            (STROKE + HALO, palette.background),
+            (STROKE, palette.viewer),
+        ] {
+            painter.line(lid.clone(), stroke);
+        }
     }
 }

@@ -69,7 +69,9 @@ impl Shadow {
         if area.abs() > NARROW * longest {
             self.fill([a, b, c], area);
         } else {
-            sides.into_iter().for_each(|side| self.draw(side));
+            for side in sides {
+                self.draw(side);
+            }
         }
     }
 
