@@ -23,6 +23,7 @@ mod integral;
 mod interaction;
 mod keeping;
 mod list;
+mod lobe;
 mod materials;
 mod number_field;
 mod numbers;

@@ -118,6 +118,22 @@ impl OrbitCamera {
         })
     }
 
+    /// The camera on the way from this one to `other`, 0 to 1: the shorter way round, at a distance that changes evenly in
+    /// proportion.
+    #[must_use]
+    pub fn on_way_to(&self, other: &Self, part: f32) -> Self {
+        let turn = PI - (PI - (other.yaw - self.yaw)).rem_euclid(TAU);
+        let stretch = (other.distance / self.distance).powf(part);
+        let between = |a: f32, b: f32| a + (b - a) * part;
+        Self {
+            yaw: self.yaw + turn * part,
+            pitch: between(self.pitch, other.pitch),
+            distance: self.distance * stretch,
+            target: self.target.lerp(other.target, part),
+        }
+        .sanitized()
+    }
+
     /// Azimuth of the eye about n from +s towards +t, in radians, in (-pi, pi].
     #[must_use]
     pub const fn yaw(&self) -> f32 {
@@ -256,6 +272,21 @@ mod tests {
             assert!(home.is_home());
             assert!(moved.iter().all(|camera| !camera.is_home()), "{view:?}");
         }
+    }
+
+    #[test]
+    fn the_way_to_another_camera_is_the_shorter_one() {
+        let [mut from, mut to] = [OrbitCamera::default(), OrbitCamera::default()];
+        from.orbit(Vec2::new(-400.0, 0.0));
+        to.orbit(Vec2::new(120.0, 60.0));
+        to.zoom(4.0);
+        let way = [0.0, 0.5, 1.0].map(|part| from.on_way_to(&to, part));
+        assert!((way[0].yaw - from.yaw).abs() < 1e-5 && way[0].distance == from.distance);
+        assert!((way[2].yaw - to.yaw).abs() < 1e-5 && (way[2].pitch - to.pitch).abs() < 1e-5);
+        // 520 points are 260 degrees one way and 100 the other; half of that, and half of the zoom in proportion.
+        let turned = (way[1].yaw - from.yaw).rem_euclid(TAU);
+        assert!((turned - 50_f32.to_radians()).abs() < 1e-5, "{turned}");
+        assert!((way[1].distance - HOME_DISTANCE / 2.0).abs() < 1e-5);
     }
 
     #[test]

@@ -12,7 +12,10 @@ use super::pipelines::Pipelines;
 pub(super) struct SceneBuffers {
     /// Version of the scene in the buffers; `None` before the first upload.
     version: Option<u64>,
+    ground: SurfaceBuffers,
+    bodies: SurfaceBuffers,
     opaque: SurfaceBuffers,
+    shells: SurfaceBuffers,
     translucent: SurfaceBuffers,
     /// First the opaque lines, then the translucent ones.
     lines: GrowingBuffer,
@@ -23,7 +26,10 @@ impl SceneBuffers {
     pub fn new() -> Self {
         Self {
             version: None,
+            ground: SurfaceBuffers::new(),
+            bodies: SurfaceBuffers::new(),
             opaque: SurfaceBuffers::new(),
+            shells: SurfaceBuffers::new(),
             translucent: SurfaceBuffers::new(),
             lines: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
             opaque_lines: 0,
@@ -41,8 +47,15 @@ impl SceneBuffers {
         if self.version == Some(version) {
             return;
         }
-        self.opaque.upload(device, queue, &scene.opaque);
-        self.translucent.upload(device, queue, &scene.translucent);
+        for (buffers, surface) in [
+            (&mut self.ground, &scene.ground),
+            (&mut self.bodies, &scene.bodies),
+            (&mut self.opaque, &scene.opaque),
+            (&mut self.shells, &scene.shells),
+            (&mut self.translucent, &scene.translucent),
+        ] {
+            buffers.upload(device, queue, surface);
+        }
         let (mut lines, blended): (Vec<Line>, Vec<Line>) = scene
             .lines
             .iter()
@@ -58,8 +71,15 @@ impl SceneBuffers {
 
     /// Draws everything, in the order that makes blending right.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipelines: &Pipelines) {
+        pass.set_pipeline(&pipelines.backdrop);
+        pass.draw(0..3, 0..1);
+        self.ground.draw(pass, &pipelines.ground);
+        self.bodies.draw(pass, &pipelines.bodies);
         self.opaque.draw(pass, &pipelines.opaque);
         self.draw_lines(pass, &pipelines.opaque_lines, 0..self.opaque_lines);
+        self.shells.draw(pass, &pipelines.hidden_shells);
+        self.shells.draw(pass, &pipelines.shells_back);
+        self.shells.draw(pass, &pipelines.shells_front);
         // The far walls of convex shells first. This is exact for the domes, which is what
         // translucent surfaces are used for; no sorting, so a camera move uploads nothing.
         self.translucent.draw(pass, &pipelines.translucent_back);

@@ -14,7 +14,7 @@ pub struct Vertex {
     pub position: [f32; 3],
     /// Surface normal, of any length and either side; zero asks for flat shading.
     pub normal: [f32; 3],
-    /// Colour; alpha counts only in [`Scene::translucent`].
+    /// Colour; alpha counts only in [`Scene::shells`] and [`Scene::translucent`].
     pub color: Rgba,
 }
 
@@ -30,6 +30,16 @@ pub struct Line {
     pub color: Rgba,
     /// Width in egui points, above 0.
     pub width: f32,
+}
+
+/// What is behind a scene: one colour at the edges of the view, and another in its middle, which it passes into softly. Their
+/// alpha is ignored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Backdrop {
+    /// At the edges.
+    pub edge: Rgba,
+    /// In the middle.
+    pub middle: Rgba,
 }
 
 /// Indexed triangles; either side of a triangle is visible.
@@ -59,8 +69,16 @@ impl Surface {
 /// Everything one 3D view draws.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    /// Lit triangles that hide what is behind them.
+    /// What the rest stands on: matt, and hides what is behind it; it is not there for who looks from below.
+    pub ground: Surface,
+    /// Matt bodies that hide what is behind them, under a key and a rim light, and darker towards the origin and the
+    /// plane z = 0, from which they rise.
+    pub bodies: Surface,
+    /// Small solid marks, as the heads of arrows, that hide what is behind them.
     pub opaque: Surface,
+    /// Skins one sees through, with a line along their outline; where an opaque triangle hides one, its outline shows
+    /// through it, faintly. Their vertices need normals.
+    pub shells: Surface,
     /// Unlit triangles blended over the rest by their vertex alpha.
     pub translucent: Surface,
     /// Lines, hidden by opaque triangles in front of them.

@@ -18,8 +18,10 @@ mod pipelines;
 mod ray;
 mod renderer;
 mod shapes;
+mod solids;
+mod uniforms;
 
 pub use camera::Projection;
-pub use geometry::{Line, Rgba, Scene, Surface, Vertex};
+pub use geometry::{Backdrop, Line, Rgba, Scene, Surface, Vertex};
 pub use ray::Ray;
 pub use renderer::{SceneView, init, shape};

@@ -21,16 +21,44 @@ const SURFACE_DEPTH_BIAS: wgpu::DepthBiasState = wgpu::DepthBiasState {
     clamp: 0.0,
 };
 
+/// The corners of triangles.
+const TRIANGLES: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Vertex>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4],
+};
+
+/// The lines, one instance each.
+const LINES: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Line>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![
+        0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Float32
+    ],
+};
+
 /// Pipelines and the layouts of what they read.
 pub(super) struct Pipelines {
     /// Uniforms of a view.
     pub view_layout: wgpu::BindGroupLayout,
     /// Finished picture of a view.
     pub picture_layout: wgpu::BindGroupLayout,
+    /// What is behind everything.
+    pub backdrop: wgpu::RenderPipeline,
+    /// Opaque triangles seen from their front, matt.
+    pub ground: wgpu::RenderPipeline,
+    /// Opaque triangles, matt.
+    pub bodies: wgpu::RenderPipeline,
     /// Opaque triangles.
     pub opaque: wgpu::RenderPipeline,
     /// Lines of full alpha, which hide what is behind them.
     pub opaque_lines: wgpu::RenderPipeline,
+    /// The outlines of shells behind opaque triangles.
+    pub hidden_shells: wgpu::RenderPipeline,
+    /// Shells seen from their back.
+    pub shells_back: wgpu::RenderPipeline,
+    /// Shells seen from their front.
+    pub shells_front: wgpu::RenderPipeline,
     /// Translucent triangles seen from their back.
     pub translucent_back: wgpu::RenderPipeline,
     /// Translucent triangles seen from their front.
@@ -64,10 +92,16 @@ impl Pipelines {
         );
         let pass = Pass::new(device, &view_layout);
         Self {
-            opaque: pass.surface(None),
+            backdrop: pass.backdrop(),
+            ground: pass.opaque("fs_ground", Some(wgpu::Face::Back)),
+            bodies: pass.opaque("fs_body", None),
+            opaque: pass.opaque("fs_opaque", None),
             opaque_lines: pass.lines(true),
-            translucent_back: pass.surface(Some(wgpu::Face::Front)),
-            translucent_front: pass.surface(Some(wgpu::Face::Back)),
+            hidden_shells: pass.hidden("fs_hidden_shell"),
+            shells_back: pass.translucent("fs_shell", wgpu::Face::Front),
+            shells_front: pass.translucent("fs_shell", wgpu::Face::Back),
+            translucent_back: pass.translucent("fs_translucent", wgpu::Face::Front),
+            translucent_front: pass.translucent("fs_translucent", wgpu::Face::Back),
             translucent_lines: pass.lines(false),
             copy: pass.copy(&[Some(&view_layout), Some(&picture_layout)], screen_format),
             view_layout,
@@ -87,11 +121,30 @@ struct Pass<'a> {
 struct Draw<'a> {
     label: &'a str,
     entry_points: [&'a str; 2],
-    vertices: wgpu::VertexBufferLayout<'a>,
+    vertices: Option<wgpu::VertexBufferLayout<'a>>,
     primitive: wgpu::PrimitiveState,
-    writes_depth: bool,
+    /// How depths are compared, and whether they are written.
+    depth: (wgpu::CompareFunction, bool),
     bias: wgpu::DepthBiasState,
     blend: Option<wgpu::BlendState>,
+}
+
+impl<'a> Draw<'a> {
+    /// Triangles that let through what is behind them, without the given face.
+    fn blended(shading: &'a str, cull_mode: Option<wgpu::Face>) -> Self {
+        Self {
+            label: "scene3d surface",
+            entry_points: ["vs_surface", shading],
+            vertices: Some(TRIANGLES),
+            primitive: wgpu::PrimitiveState {
+                cull_mode,
+                ..Default::default()
+            },
+            depth: (wgpu::CompareFunction::Less, false),
+            bias: wgpu::DepthBiasState::default(),
+            blend: Some(wgpu::BlendState::ALPHA_BLENDING),
+        }
+    }
 }
 
 impl<'a> Pass<'a> {
@@ -108,37 +161,39 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// Opaque triangles, or translucent ones without the given face.
-    fn surface(&self, translucent_cull: Option<wgpu::Face>) -> wgpu::RenderPipeline {
-        let opaque = translucent_cull.is_none();
+    /// The backdrop, which covers the view and has no depth.
+    fn backdrop(&self) -> wgpu::RenderPipeline {
         self.draw(Draw {
-            label: "scene3d surface",
-            entry_points: [
-                "vs_surface",
-                if opaque {
-                    "fs_opaque"
-                } else {
-                    "fs_translucent"
-                },
-            ],
-            vertices: wgpu::VertexBufferLayout {
-                array_stride: size_of::<Vertex>() as u64,
-                step_mode: wgpu::VertexStepMode::Vertex,
-                attributes: &wgpu::vertex_attr_array![
-                    0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4
-                ],
-            },
-            primitive: wgpu::PrimitiveState {
-                cull_mode: translucent_cull,
-                ..Default::default()
-            },
-            writes_depth: opaque,
-            bias: if opaque {
-                SURFACE_DEPTH_BIAS
-            } else {
-                wgpu::DepthBiasState::default()
-            },
-            blend: (!opaque).then_some(wgpu::BlendState::ALPHA_BLENDING),
+            label: "scene3d backdrop",
+            entry_points: ["vs_copy", "fs_backdrop"],
+            vertices: None,
+            primitive: wgpu::PrimitiveState::default(),
+            depth: (wgpu::CompareFunction::Always, false),
+            bias: wgpu::DepthBiasState::default(),
+            blend: None,
+        })
+    }
+
+    /// Triangles that hide what is behind them, without the given face.
+    fn opaque(&self, shading: &str, cull_mode: Option<wgpu::Face>) -> wgpu::RenderPipeline {
+        self.draw(Draw {
+            depth: (wgpu::CompareFunction::Less, true),
+            bias: SURFACE_DEPTH_BIAS,
+            blend: None,
+            ..Draw::blended(shading, cull_mode)
+        })
+    }
+
+    /// Triangles that are blended over what is there, without the given face.
+    fn translucent(&self, shading: &str, cull: wgpu::Face) -> wgpu::RenderPipeline {
+        self.draw(Draw::blended(shading, Some(cull)))
+    }
+
+    /// Triangles that are blended over what is nearer to the eye than they are.
+    fn hidden(&self, shading: &str) -> wgpu::RenderPipeline {
+        self.draw(Draw {
+            depth: (wgpu::CompareFunction::Greater, false),
+            ..Draw::blended(shading, Some(wgpu::Face::Back))
         })
     }
 
@@ -147,18 +202,12 @@ impl<'a> Pass<'a> {
         self.draw(Draw {
             label: "scene3d lines",
             entry_points: ["vs_line", "fs_line"],
-            vertices: wgpu::VertexBufferLayout {
-                array_stride: size_of::<Line>() as u64,
-                step_mode: wgpu::VertexStepMode::Instance,
-                attributes: &wgpu::vertex_attr_array![
-                    0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Float32
-                ],
-            },
+            vertices: Some(LINES),
             primitive: wgpu::PrimitiveState {
                 topology: wgpu::PrimitiveTopology::TriangleStrip,
                 ..Default::default()
             },
-            writes_depth,
+            depth: (wgpu::CompareFunction::Less, writes_depth),
             // The shader lifts lines off their surface instead.
             bias: wgpu::DepthBiasState::default(),
             blend: Some(wgpu::BlendState::ALPHA_BLENDING),
@@ -167,6 +216,8 @@ impl<'a> Pass<'a> {
 
     fn draw(&self, draw: Draw<'_>) -> wgpu::RenderPipeline {
         let [vertex, fragment] = draw.entry_points;
+        let (depth_compare, writes_depth) = draw.depth;
+        let vertices = draw.vertices.map(Some);
         self.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some(draw.label),
@@ -175,13 +226,13 @@ impl<'a> Pass<'a> {
                     module: &self.module,
                     entry_point: Some(vertex),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    buffers: &[Some(draw.vertices)],
+                    buffers: vertices.as_slice(),
                 },
                 primitive: draw.primitive,
                 depth_stencil: Some(wgpu::DepthStencilState {
                     format: DEPTH_FORMAT,
-                    depth_write_enabled: Some(draw.writes_depth),
-                    depth_compare: Some(wgpu::CompareFunction::Less),
+                    depth_write_enabled: Some(writes_depth),
+                    depth_compare: Some(depth_compare),
                     stencil: wgpu::StencilState::default(),
                     bias: draw.bias,
                 }),

@@ -4,15 +4,15 @@ use core::mem::size_of;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use bytemuck::{Pod, Zeroable};
+use bytemuck::Zeroable as _;
 use eframe::egui_wgpu::{self, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 use eframe::wgpu;
 use egui::{PaintCallbackInfo, Rect};
 
 use super::buffers::SceneBuffers;
-use super::camera::Projection as _;
-use super::geometry::{Rgba, Scene};
+use super::geometry::{Backdrop, Scene};
 use super::pipelines::{COLOR_FORMAT, DEPTH_FORMAT, Pipelines, SAMPLES};
+use super::uniforms::{Placement, Uniforms};
 use bxdf_study::session::OrbitCamera;
 
 /// One 3D view in one frame.
@@ -29,8 +29,8 @@ pub struct SceneView {
     pub version: u64,
     /// Where to see it from.
     pub camera: OrbitCamera,
-    /// Colour behind the scene; its alpha is ignored, the view covers what is under it.
-    pub background: Rgba,
+    /// What is behind the scene; the view covers what is under it.
+    pub backdrop: Backdrop,
 }
 
 /// Prepares the drawing of 3D views; call it once when the app starts.
@@ -140,86 +140,12 @@ impl CallbackTrait for SceneCallback {
     }
 }
 
-/// Where a view is on screen and how large its target is.
-#[derive(Clone, Copy)]
-struct Placement {
-    /// Top-left corner in screen pixels; may be outside the screen.
-    origin: [f32; 2],
-    /// Size of the view in screen pixels.
-    size: [f32; 2],
-    /// Size of the target in texels.
-    texels: [u32; 2],
-    pixels_per_point: f32,
-    /// Width over height.
-    aspect: f32,
-}
-
-impl Placement {
-    /// `None` for a view that has no pixels.
-    fn new(rect: Rect, pixels_per_point: f32, device: &wgpu::Device) -> Option<Self> {
-        // Rounded edges, as egui rounds the viewport it sets for the callback.
-        let min = (rect.min * pixels_per_point).round();
-        let size = (rect.max * pixels_per_point).round() - min;
-        if !(size.is_finite() && size.min_elem() >= 1.0 && pixels_per_point > 0.0) {
-            return None;
-        }
-        let limit = device.limits().max_texture_dimension_2d;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a whole number of at least 1; `as` saturates and the limit follows"
-        )]
-        let texels = [size.x, size.y].map(|pixels| (pixels as u32).min(limit));
-        Some(Self {
-            origin: min.into(),
-            size: size.into(),
-            texels,
-            pixels_per_point,
-            aspect: rect.aspect_ratio(),
-        })
-    }
-}
-
-/// Mirrors `View` in the shader.
-#[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-struct Uniforms {
-    view_proj: [f32; 16],
-    eye: [f32; 3],
-    pixels_per_point: f32,
-    target_size: [f32; 2],
-    screen_origin: [f32; 2],
-    texels_per_pixel: [f32; 2],
-    padding: [f32; 2],
-}
-
-impl Uniforms {
-    fn new(camera: &OrbitCamera, place: &Placement) -> Self {
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "texture sizes are far below 2^24"
-        )]
-        let [width, height] = place.texels.map(|texels| texels as f32);
-        let [screen_width, screen_height] = place.size;
-        let texels_per_pixel = [width / screen_width, height / screen_height];
-        Self {
-            view_proj: camera.view_proj(place.aspect).to_cols_array(),
-            eye: camera.eye().into(),
-            pixels_per_point: place.pixels_per_point,
-            target_size: [width, height],
-            screen_origin: place.origin,
-            texels_per_pixel,
-            padding: [0.0; 2],
-        }
-    }
-}
-
 /// All that a picture depends on; an equal key means an equal picture.
 #[derive(Clone, PartialEq)]
 struct PictureKey {
     camera: OrbitCamera,
     version: u64,
-    background: Rgba,
+    backdrop: Backdrop,
     texels: [u32; 2],
     aspect: f32,
     pixels_per_point: f32,
@@ -279,7 +205,7 @@ impl ViewState {
         view: &SceneView,
         place: &Placement,
     ) {
-        let uniforms = Uniforms::new(&view.camera, place);
+        let uniforms = Uniforms::new(&view.camera, view.backdrop, place);
         if self.uniforms != uniforms {
             gpu.queue
                 .write_buffer(&self.uniform_buffer, 0, bytemuck::bytes_of(&uniforms));
@@ -288,7 +214,7 @@ impl ViewState {
         let key = PictureKey {
             camera: view.camera.clone(),
             version: view.version,
-            background: view.background,
+            backdrop: view.backdrop,
             texels: place.texels,
             aspect: place.aspect,
             pixels_per_point: place.pixels_per_point,
@@ -303,7 +229,7 @@ impl ViewState {
             .take()
             .filter(|target| target.texels == place.texels);
         let target = old.unwrap_or_else(|| Target::new(gpu, place.texels));
-        let mut pass = target.begin_pass(encoder, view.background);
+        let mut pass = target.begin_pass(encoder, view.backdrop);
         pass.set_bind_group(0, &self.uniform_group, &[]);
         self.buffers.draw(&mut pass, gpu.pipelines);
         drop(pass);
@@ -363,9 +289,9 @@ impl Target {
     fn begin_pass<'a>(
         &self,
         encoder: &'a mut wgpu::CommandEncoder,
-        background: Rgba,
+        backdrop: Backdrop,
     ) -> wgpu::RenderPass<'a> {
-        let [r, g, b, _] = background.map(|channel| f64::from(channel) / 255.0);
+        let [r, g, b, _] = backdrop.edge.map(|channel| f64::from(channel) / 255.0);
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("scene3d"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {

@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::geometry::{Line, Rgba, Scene, Vertex};
 
 /// Azimuth steps of round shapes; a circle of 300 pixels is then true to 0.1 pixels.
-const ROUND_STEPS: u16 = 128;
+pub(super) const ROUND_STEPS: u16 = 128;
 /// Polar steps of a dome, from the pole to the horizon.
 const DOME_STEPS: u16 = 24;
 /// Sides of an arrow head.
@@ -119,20 +119,7 @@ impl Scene {
                 });
             }
         }
-        let columns = u32::from(ROUND_STEPS) + 1;
-        let mut indices = Vec::new();
-        for row in 0..u32::from(DOME_STEPS) {
-            for column in 0..u32::from(ROUND_STEPS) {
-                let corner = row * columns + column;
-                let (next, below) = (corner + 1, corner + columns);
-                // Counter-clockwise from outside, so that culling tells the near wall from the far.
-                indices.extend(if upper {
-                    [corner, below, next, next, below, below + 1]
-                } else {
-                    [corner, next, below, next, below + 1, below]
-                });
-            }
-        }
+        let indices = grid(u32::from(DOME_STEPS), upper);
         self.translucent.append(&vertices, indices);
     }
 
@@ -170,19 +157,6 @@ impl Scene {
                 .collect();
             self.add_polyline(&points, color, width);
         }
-    }
-
-    /// Adds the translucent unit disc in the surface plane.
-    pub fn add_ground_disc(&mut self, color: Rgba) {
-        let vertex = |p: Vec3| Vertex {
-            position: p.into(),
-            normal: Vec3::Z.into(),
-            color,
-        };
-        let mut vertices = vec![vertex(Vec3::ZERO)];
-        vertices.extend(fractions(ROUND_STEPS).map(|f| vertex(on_sphere(FRAC_PI_2, f * TAU, 1.0))));
-        let triangles = (1..=u32::from(ROUND_STEPS)).flat_map(|i| [0, i, i + 1]);
-        self.translucent.append(&vertices, triangles);
     }
 
     /// Adds a closed cone; it is blended if the colour is.
@@ -227,7 +201,7 @@ impl Scene {
 }
 
 /// Point of the unit sphere; `side` -1 mirrors it below the surface. The horizon is exactly z = 0.
-fn on_sphere(polar: f32, azimuth: f32, side: f32) -> Vec3 {
+pub(super) fn on_sphere(polar: f32, azimuth: f32, side: f32) -> Vec3 {
     let (sin_polar, cos_polar) = polar.sin_cos();
     let z = if polar < FRAC_PI_2 {
         side * cos_polar
@@ -243,8 +217,28 @@ fn on_sphere(polar: f32, azimuth: f32, side: f32) -> Vec3 {
     Vec3::new(sin_polar * cos, sin_polar * sin, z)
 }
 
+/// The triangles of `rows` bands between rings of [`ROUND_STEPS`] steps, the first ring the inner or upper one:
+/// counter-clockwise seen from above or outside, so that culling tells the near wall from the far, or else from the
+/// other side.
+pub(super) fn grid(rows: u32, from_outside: bool) -> Vec<u32> {
+    let columns = u32::from(ROUND_STEPS) + 1;
+    let mut indices = Vec::new();
+    for row in 0..rows {
+        for column in 0..u32::from(ROUND_STEPS) {
+            let corner = row * columns + column;
+            let (next, below) = (corner + 1, corner + columns);
+            indices.extend(if from_outside {
+                [corner, below, next, next, below, below + 1]
+            } else {
+                [corner, next, below, next, below + 1, below]
+            });
+        }
+    }
+    indices
+}
+
 /// `steps + 1` evenly spaced numbers from 0 to 1.
-fn fractions(steps: u16) -> impl Iterator<Item = f32> {
+pub(super) fn fractions(steps: u16) -> impl Iterator<Item = f32> {
     (0..=steps).map(move |i| f32::from(i) / f32::from(steps.max(1)))
 }
 

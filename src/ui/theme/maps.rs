@@ -18,15 +18,6 @@ pub fn fill_of(color: Color32) -> Color32 {
     translucent([r, g, b], FILL_ALPHA)
 }
 
-/// `color` on a surface that is turned from the light so far that this share of it arrives, 0..1.
-#[must_use]
-pub fn shaded(color: Rgba, light: f32) -> Rgba {
-    const LEAST: f32 = 0.45;
-    let [r, g, b, alpha] = color;
-    let shade = |channel: u8| (f32::from(channel) * (LEAST + (1.0 - LEAST) * light)) as u8;
-    [shade(r), shade(g), shade(b), alpha]
-}
-
 /// `color` as the 3D view takes it, with this alpha.
 #[must_use]
 pub fn rgba(color: Color32, alpha: u8) -> Rgba {

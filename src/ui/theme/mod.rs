@@ -153,7 +153,9 @@ pub const HANDLE_REACH: f32 = 20.0;
 /// The size of the button that puts a view back, in points.
 pub const RESET_VIEW: Vec2 = Vec2::new(76.0, 20.0);
 /// Alpha of a lobe one sees through, 0..255.
-pub const SEE_THROUGH_ALPHA: u8 = 120;
+pub const SEE_THROUGH_ALPHA: u8 = 90;
+/// The same of one that is there for comparison: its outline is what counts.
+pub const SHELL_ALPHA: u8 = 26;
 
 /// How a line is drawn: colour never carries meaning alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -35,10 +35,24 @@ pub struct Palette {
     pub contour: Color32,
     /// The same over that of differences, whose middle is white.
     pub contour_on_white: Color32,
+    /// The middle of what is behind a 3D view, whose edges are [`Self::background`].
+    pub backdrop: Color32,
     /// The translucent dome.
     pub dome: Rgba,
-    /// The surface itself, seen as a disc.
+    /// Its lines of equal polar angle.
+    pub dome_line: Rgba,
+    /// The surface itself, seen as a disc that lets light through.
     pub ground: Rgba,
+    /// The surface itself, as a solid disc.
+    pub table: Rgba,
+    /// The brush lines on it.
+    pub brush: Rgba,
+    /// The plane of a section in 3D, in its middle and at the dome.
+    pub fan: [Rgba; 2],
+    /// The curve that it cuts out of a lobe, and the halo about it.
+    pub cut: [Rgba; 2],
+    /// Lines of equal value on a lobe.
+    pub isoline: Rgba,
     /// Absorbed light in the bar of shares.
     pub absorbed: Color32,
     /// The categories in the bar of shares, in the order in which they are listed.
@@ -97,8 +111,15 @@ impl Palette {
             geometry: rgb([240, 228, 66]),
             contour: translucent([255, 255, 255], 130),
             contour_on_white: translucent([0, 0, 0], 130),
-            dome: [200, 210, 230, 14],
+            backdrop: rgb([38, 42, 50]),
+            dome: [200, 210, 230, 5],
+            dome_line: [190, 196, 206, 84],
             ground: [150, 160, 180, 40],
+            table: [66, 71, 80, 255],
+            brush: [210, 216, 226, 26],
+            fan: [[220, 226, 236, 6], [220, 226, 236, 24]],
+            cut: [[255, 255, 255, 255], [14, 16, 20, 150]],
+            isoline: [0, 0, 0, 90],
             absorbed: grey(70),
             categories: [
                 rgb(okabe_ito::SKY_BLUE),
@@ -128,8 +149,15 @@ impl Palette {
             geometry: rgb([150, 110, 0]),
             contour: translucent([255, 255, 255], 150),
             contour_on_white: translucent([0, 0, 0], 130),
-            dome: [90, 110, 150, 20],
+            backdrop: rgb([241, 243, 247]),
+            dome: [90, 110, 150, 7],
+            dome_line: [70, 80, 100, 96],
             ground: [110, 120, 140, 44],
+            table: [222, 224, 228, 255],
+            brush: [60, 70, 90, 26],
+            fan: [[60, 80, 120, 6], [60, 80, 120, 26]],
+            cut: [[255, 255, 255, 255], [20, 24, 32, 170]],
+            isoline: [0, 0, 0, 90],
             absorbed: grey(190),
             categories: [
                 rgb(okabe_ito::BLUE),

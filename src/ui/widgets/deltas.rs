@@ -1,6 +1,6 @@
 //! Dirac deltas as every view draws them: a stem or a ring with its share, never a value.
 
-use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, vec2};
 
 use super::draw;
 use crate::theme::{Dash, Palette};
@@ -87,6 +87,31 @@ pub fn write(
     let rect = draw::free_place(taken, wanted);
     let centre = (rect.center(), Align2::CENTER_CENTER);
     draw::haloed_text(painter, centre.0, centre.1, text, font, color, palette);
+}
+
+/// The label of a delta in a pill that covers `rect`.
+pub fn pill(
+    painter: &Painter,
+    rect: Rect,
+    text: &str,
+    font: FontId,
+    (color, palette): (Color32, &Palette),
+) {
+    let round = 0.5 * rect.height();
+    painter.rect(
+        rect,
+        round,
+        palette.background,
+        (1.2, color),
+        StrokeKind::Inside,
+    );
+    painter.text(
+        rect.center(),
+        Align2::CENTER_CENTER,
+        text,
+        font,
+        palette.ink,
+    );
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ pub mod directions;
 pub mod draw;
 pub mod handle;
 pub mod hits;
+pub mod labels;
 pub mod layouts;
 pub mod legend;
 pub mod materials;

@@ -5,9 +5,15 @@ use egui_plot::PlotMemory;
 
 use crate::theme;
 
+/// Where the button stands in a corner of `room`.
+#[must_use]
+pub fn place(room: Rect, corner: Align2) -> Rect {
+    corner.align_size_within_rect(theme::RESET_VIEW, room.shrink(theme::TILE_MARGIN))
+}
+
 /// The button, in a corner of `room`, where the view `is_changed`. Returns whether it is clicked.
 pub fn button(ui: &mut Ui, room: Rect, corner: Align2, is_changed: bool) -> bool {
-    let place = corner.align_size_within_rect(theme::RESET_VIEW, room.shrink(theme::TILE_MARGIN));
+    let place = place(room, corner);
     // It takes no room, and what comes after it keeps its id, whether it is shown or not.
     let mut above = ui.new_child(UiBuilder::new().max_rect(place).id_salt("reset view"));
     // A drag that begins on it is none of the view below.

@@ -8,17 +8,27 @@ use glam::{DVec3, Vec3};
 
 use super::context::ViewContext;
 use super::settings;
-use crate::scene3d::{self, Projection as _, SceneView};
+use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
+use crate::widgets::labels::Labels;
 use crate::widgets::legend::{self, Swatch};
-use crate::widgets::{draw, handle, reset};
+use crate::widgets::{draw, pictures, reset};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{HomeView, LobeSurface, OrbitCamera, Session};
+use bxdf_study::views::Arrangement;
 use bxdf_study::views::lobe3d::Options;
+use glide::Glide;
+use scene::Requested;
 use sketch::Sketch;
-use surface::Lobes;
+use surface::{Lobes, Scales};
 
+mod glide;
+mod held;
+mod isolines;
+mod level;
+mod looks;
 mod scene;
+mod shadow;
 mod sizes;
 mod sketch;
 mod surface;
@@ -27,57 +37,108 @@ mod surface;
 const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
 /// How much closer the camera then comes.
 const UPPER_ZOOM: f32 = 1.15;
+/// Width over height of each of several lobes side by side.
+const CELL_ASPECT: f32 = 1.35;
+/// Where the button stands that puts the camera back.
+const RESET_CORNER: Align2 = Align2::LEFT_TOP;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let requested = scene::requested(cx);
     let scales = scene::scales(ui, cx, &requested);
     settings::row(ui, cx, |ui, cx| {
-        let mut scale = cx.options.scale;
+        let Options {
+            mut scale,
+            mut arrangement,
+        } = *cx.options;
         settings::scale(ui, cx, &mut scale, scales.shared());
-        cx.options.scale = scale;
+        settings::arrangement(ui, cx, &mut arrangement);
+        (cx.options.scale, cx.options.arrangement) = (scale, arrangement);
         settings::cosine(ui, cx);
         surface_choice(ui, cx);
     });
-    legend::show(ui, Swatch::Patch, cx.session, cx.palette);
-    let rect = ui.available_rect_before_wrap();
-    let response = ui.allocate_rect(rect, Sense::click_and_drag());
+    let is_overlaid = cx.options.arrangement == Arrangement::Overlaid || requested.len() < 2;
+    if is_overlaid {
+        legend::show(ui, Swatch::Patch, cx.session, cx.palette);
+    }
+    let room = ui.available_rect_before_wrap();
+    let buttons = home_buttons(ui, room, cx.session);
+    let reset = reset::place(room, RESET_CORNER);
+    let covered = [buttons, reset];
+    if is_overlaid {
+        show_scene(ui, cx, (requested, scales), room, covered);
+    } else {
+        let rest = room.with_max_y(buttons.top());
+        let cells = pictures::cells(rest, requested.len(), CELL_ASPECT);
+        for (index, (cell, one)) in cells.into_iter().zip(requested).enumerate() {
+            pictures::title(ui, cell, one.material(), cx.session, cx.palette);
+            let own = scales.of_one(index);
+            ui.push_id(one.material(), |ui| {
+                show_scene(ui, cx, (vec![one], own), cell.picture, covered);
+            });
+        }
+    }
+    ui.advance_cursor_after_rect(room);
+    if reset::button(ui, room, RESET_CORNER, is_moved(cx)) {
+        cx.session.camera = OrbitCamera::default();
+    }
+}
+
+/// Whether the camera is elsewhere than at first. It is part of the session, which pictures show too: nobody can click in
+/// them.
+fn is_moved(cx: &ViewContext<'_, Options>) -> bool {
+    !cx.session.camera.is_home() && !cx.state.is_picture
+}
+
+/// The lobes of what is `requested`. `covered`: where the buttons of the view stand, that of the camera last.
+fn show_scene(
+    ui: &mut Ui,
+    cx: &mut ViewContext<'_, Options>,
+    drawn: (Vec<Requested>, Scales),
+    rect: Rect,
+    [buttons, reset]: [Rect; 2],
+) {
+    let response = ui.interact(rect, ui.scope_id().with("scene"), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
     let has_lower = cx.state.shows_lower_half(cx.session);
     move_camera(ui, &response, cx.session);
-    let camera = centred(&cx.session.camera, has_lower);
-    let drawing = scene::drawing(ui, cx, (requested, scales), has_lower);
+    let camera = centred(&glided(ui, cx), has_lower);
+    let drawing = scene::drawing(ui, cx, drawn, has_lower);
     let view = SceneView {
         id: ui.scope_id().value(),
         scene: Arc::clone(&drawing.scene),
         version: drawing.version,
         camera: camera.clone(),
-        background: rgba(cx.palette.background, 255),
+        backdrop: Backdrop {
+            edge: rgba(cx.palette.background, 255),
+            middle: rgba(cx.palette.backdrop, 255),
+        },
     };
     ui.painter().add(scene3d::shape(rect, view));
+    let mut labels = Labels::within(rect);
+    labels.keep_off(buttons);
+    if is_moved(cx) {
+        labels.keep_off(reset);
+    }
+    let tip = camera.project(cx.session.held().as_vec3(), rect);
+    if let Some(tip) = tip {
+        labels.keep_off(held::room(tip));
+    }
     let sketch = Sketch {
         ui,
         rect,
         camera: &camera,
         palette: cx.palette,
-        taken: RefCell::default(),
+        labels: RefCell::new(labels),
     };
-    sketch.name_axes(&drawing.lobes);
-    sketch.label(cx.session, &drawing.lobes);
-    sketch.scale(&drawing.lobes, cx.session, cx.options.scale);
-    home_buttons(ui, rect, cx.session);
+    sketch.draw(cx.session, &drawing);
     offer_peaks(ui, cx, &drawing.lobes, rect);
-    if drag_held(ui, cx, rect, &camera) {
+    if held::drag(ui, cx, rect, &camera) {
         cx.state.keep_arrangement(has_lower);
     } else if !response.dragged() {
         read_out(ui, cx, &response, &drawing.lobes, &camera);
     }
     if !response.hovered() {
         mark_cursor(ui, cx, rect, &camera);
-    }
-    // The camera is part of the session, which pictures show too: nobody can click in them.
-    let is_moved = !cx.session.camera.is_home() && !cx.state.is_picture;
-    if reset::button(ui, rect, Align2::LEFT_TOP, is_moved) {
-        cx.session.camera = OrbitCamera::default();
     }
 }
 
@@ -104,6 +165,20 @@ fn offer_peaks(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, lobes: &Lobes, ro
     let mut scale = cx.options.scale;
     settings::offer_peaks(ui, cx, &mut scale, small, room);
     cx.options.scale = scale;
+}
+
+/// The session's camera, or where it is on its way there.
+fn glided(ui: &Ui, cx: &mut ViewContext<'_, Options>) -> OrbitCamera {
+    if cx.state.is_picture {
+        return cx.session.camera.clone();
+    }
+    let now = ui.input(|input| input.time);
+    let glide: &mut Glide = cx.state.own(cx.view);
+    let (camera, is_on_way) = glide.shown(&cx.session.camera, now);
+    if is_on_way {
+        ui.ctx().request_repaint();
+    }
+    camera
 }
 
 /// The direction pointed at in another view: a line to the dome.
@@ -147,15 +222,16 @@ fn move_camera(ui: &Ui, response: &egui::Response, session: &mut Session) {
     }
 }
 
-fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
+/// The buttons below the picture; what they cover.
+fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) -> Rect {
     let strip = Rect::from_min_size(
         rect.left_bottom() + vec2(6.0, -28.0),
         vec2(rect.width() - 12.0, 22.0),
     );
-    ui.scope_builder(
+    let shown = ui.scope_builder(
         egui::UiBuilder::new().max_rect(strip).id_salt("home views"),
         |ui| {
-            ui.horizontal(|ui| {
+            let row = ui.horizontal(|ui| {
                 for home in HomeView::ALL {
                     let hint = "Look from here; double-click the view to reset, drag to orbit, \
                     Shift-drag to pan, scroll to zoom";
@@ -168,25 +244,10 @@ fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) {
                 ui.toggle_value(&mut session.show_geometry, "Angles")
                     .on_hover_text(hint);
             });
+            row.response.rect
         },
     );
-}
-
-/// The handle of the held direction on the dome. Returns whether it is being dragged.
-fn drag_held(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, camera: &OrbitCamera) -> bool {
-    let Some(tip) = camera.project(cx.session.held().as_vec3(), rect) else {
-        return false;
-    };
-    let color = cx.palette.held(cx.session.hold);
-    let name = "Held direction in the 3D lobe";
-    let named = (ui.scope_id().with("held"), name, rect);
-    let handle = handle::show(ui, tip, named, color, cx.palette);
-    if let Some(place) = handle.dragged_to() {
-        cx.session
-            .set_held(camera.ray(place, rect).drag_on_sphere(1.0).as_dvec3());
-        ui.ctx().request_repaint();
-    }
-    handle.is_dragged()
+    shown.inner
 }
 
 /// The direction and value under the pointer: on the lobe where the pointer meets it, else on the dome.

@@ -1,21 +1,23 @@
-//! What is painted over the scene: names, angles and the legend of the colours.
+//! What is painted over the scene: names, angles and the scale.
 
 use std::cell::RefCell;
 
-use egui::{Align2, Color32, Pos2, Rect, Ui, vec2};
+use egui::{Align2, Color32, FontId, Pos2, Rect, Ui, Vec2, vec2};
 use glam::Vec3;
 
+use super::isolines::Isoline;
+use super::scene::Drawing;
 use super::sizes::{ARC_RADIUS, AXIS_LENGTH, FLAT};
 use super::surface::Lobes;
 use crate::scene3d::{Projection as _, Ray};
-use crate::theme::{self, Palette};
+use crate::theme::Palette;
+use crate::widgets::labels::{Labels, Place, Reach};
 use crate::widgets::{deltas, draw};
 use bxdf::math::frame;
-use bxdf_lab::analysis::{Channel, RadialScale};
+use bxdf_lab::analysis::Channel;
 use bxdf_study::format;
 use bxdf_study::session::OrbitCamera;
 use bxdf_study::session::Session;
-use bxdf_study::views::Scale;
 
 /// Spacing of the labels of the degree grid.
 const GRID_STEP_DEG: f64 = 30.0;
@@ -23,11 +25,14 @@ const GRID_STEP_DEG: f64 = 30.0;
 /// The most characters of a name at a tip; the legend has more of it.
 const LONGEST_TITLE: usize = 24;
 
-/// How far beyond the tip of a lobe its name stands, in lengths of the lobe.
-const NAME_BEYOND_TIP: f32 = 1.06;
-
 /// Directions nearer than this share one name.
 const NAME_SPACING: f32 = 0.2;
+
+/// The room about a text on its patch, in points.
+const PATCH: Vec2 = vec2(6.0, 2.0);
+
+/// The room about a text in its pill, in points.
+const PILL: Vec2 = vec2(12.0, 4.0);
 
 /// What is painted over the scene.
 pub(super) struct Sketch<'a> {
@@ -35,74 +40,165 @@ pub(super) struct Sketch<'a> {
     pub(super) rect: Rect,
     pub(super) camera: &'a OrbitCamera,
     pub(super) palette: &'a Palette,
-    /// Where names stand already.
-    pub(super) taken: RefCell<Vec<Rect>>,
+    /// Where labels stand already.
+    pub(super) labels: RefCell<Labels>,
 }
 
 impl Sketch<'_> {
-    /// Writes `text` at `place`, or a line or two above or below where other names stand already.
-    fn name(&self, place: Vec3, text: &str, color: Color32) {
-        let Some(position) = self.camera.project(place, self.rect) else {
-            return;
+    /// Everything, what is worth most first: what comes later stands where there is room.
+    pub(super) fn draw(&self, session: &Session, drawing: &Drawing) {
+        let lobes = &drawing.lobes;
+        self.scale(lobes, session);
+        self.name_held(session);
+        self.name_deltas(lobes);
+        if session.show_geometry {
+            self.label_geometry(session);
+        }
+        self.name_axes(lobes);
+        self.name_mirror(session);
+        self.name_lobes(lobes);
+        if let Some(axis) = lobes.axis(session) {
+            self.label_isolines(&drawing.isolines, axis);
+        }
+        if session.show_geometry {
+            self.label_grid();
+        }
+    }
+
+    fn project(&self, place: Vec3) -> Option<Pos2> {
+        self.camera.project(place, self.rect)
+    }
+
+    /// The place for a label of this size at a point of the scene, on the side that points away from the middle of the scene.
+    fn place(&self, point: Vec3, size: Vec2, reach: Reach) -> Option<Place> {
+        let (at, origin) = (self.project(point)?, self.project(Vec3::ZERO)?);
+        let outwards = at - origin;
+        let towards = if outwards.length() > 1.0 {
+            outwards
+        } else {
+            Vec2::UP
         };
+        self.labels.borrow_mut().place(at, size, towards, reach)
+    }
+
+    /// Writes `text` beside a point of the scene.
+    fn name(&self, point: Vec3, text: &str, color: Color32, reach: Reach) {
         let painter = self.ui.painter_at(self.rect);
         let font = draw::body_font(self.ui);
-        let size = painter
-            .layout_no_wrap(text.to_owned(), font.clone(), color)
-            .size()
-            + vec2(6.0, 2.0);
-        let wanted = Rect::from_center_size(position, size);
-        let rect = draw::free_place(&mut self.taken.borrow_mut(), wanted);
-        draw::haloed_text(
-            &painter,
-            rect.center(),
-            Align2::CENTER_CENTER,
-            text,
-            font,
+        let size = self.size(text, &font) + PATCH;
+        if let Some(Place { rect, leader }) = self.place(point, size, reach) {
+            if let Some(ends) = leader {
+                painter.line_segment(ends, (1.0, color));
+            }
+            let (middle, anchor) = (rect.center(), Align2::CENTER_CENTER);
+            draw::haloed_text(&painter, middle, anchor, text, font, color, self.palette);
+        }
+    }
+
+    fn size(&self, text: &str, font: &FontId) -> Vec2 {
+        let painter = self.ui.painter();
+        let galley = painter.layout_no_wrap(text.to_owned(), font.clone(), self.palette.ink);
+        galley.size()
+    }
+
+    fn name_held(&self, session: &Session) {
+        let color = self.palette.held(session.hold);
+        self.name(
+            session.held().as_vec3() * 1.1,
+            session.held_name(),
             color,
-            self.palette,
+            Reach::Far,
         );
     }
 
+    fn name_mirror(&self, session: &Session) {
+        let held = session.held().as_vec3();
+        let mirror = Vec3::new(-held.x, -held.y, held.z);
+        // Near n the two names would overlap, and the held direction is its own mirror direction.
+        if held.distance(mirror) > NAME_SPACING {
+            self.name(mirror * 1.02, "mirror", self.palette.mirror, Reach::Near);
+        }
+    }
+
     /// The names of the axes, where the lobe does not stand before them.
-    pub(super) fn name_axes(&self, lobes: &Lobes) {
+    fn name_axes(&self, lobes: &Lobes) {
         for (axis, name) in [(Vec3::X, "s"), (Vec3::Y, "t"), (Vec3::Z, "n")] {
-            let place = axis * (AXIS_LENGTH + 0.08);
+            let place = axis * AXIS_LENGTH;
             let eye = self.camera.eye();
             let sight = Ray {
                 origin: eye,
                 direction: place - eye,
             };
             if lobes.hit(&sight).is_none_or(|(distance, _)| distance > 1.0) {
-                self.name(place, name, self.palette.ink);
+                self.name(place, name, self.palette.ink, Reach::Near);
             }
         }
     }
 
-    pub(super) fn label(&self, session: &Session, lobes: &Lobes) {
-        let held = session.held().as_vec3();
-        let mirror = Vec3::new(-held.x, -held.y, held.z);
+    /// The share of each delta in a pill at its tip.
+    fn name_deltas(&self, lobes: &Lobes) {
+        let painter = self.ui.painter_at(self.rect);
+        let font = draw::small_font(self.ui);
         for (color, arrow) in lobes.arrows() {
             let share = Channel::Luminance.of(arrow.flux);
-            let place = (arrow.direction * share.max(0.3) * 0.62).as_vec3();
-            self.name(place, &deltas::label(share), color);
+            let text = deltas::label(share);
+            let size = self.size(&text, &font) + PILL;
+            let tip = (arrow.direction * share).as_vec3();
+            if let Some(Place { rect, leader }) = self.place(tip, size, Reach::Far) {
+                if let Some(ends) = leader {
+                    painter.line_segment(ends, (1.0, color));
+                }
+                deltas::pill(&painter, rect, &text, font.clone(), (color, self.palette));
+            }
         }
+    }
+
+    /// The names of the longer lobes at their tips, where there are several.
+    fn name_lobes(&self, lobes: &Lobes) {
         for (title, color, tip) in lobes.names() {
             let title = draw::clipped(title, LONGEST_TITLE);
-            self.name(tip * NAME_BEYOND_TIP, &title, color);
+            self.name(tip, &title, color, Reach::Near);
         }
-        // Near n the two names would overlap, and the held direction is its own mirror direction.
-        if held.distance(mirror) > NAME_SPACING {
-            self.name(mirror * 1.12, "mirror", self.palette.mirror);
-        }
-        self.name(
-            held * 1.17,
-            session.held_name(),
-            self.palette.held(session.hold),
-        );
-        if session.show_geometry {
-            self.label_geometry(session);
-            self.label_grid();
+    }
+
+    /// The values of the lines on the lobe, each where its line is furthest from the lobe's axis, on the right or below.
+    fn label_isolines(&self, lines: &[Isoline], axis: Vec3) {
+        let painter = self.ui.painter_at(self.rect);
+        let (font, color) = (draw::small_font(self.ui), self.palette.ink);
+        let (Some(foot), Some(tip)) = (self.project(Vec3::ZERO), self.project(axis)) else {
+            return;
+        };
+        let across = (tip - foot).normalized().rot90();
+        let aside = if across.x + 0.5 * across.y >= 0.0 {
+            across
+        } else {
+            -across
+        };
+        for line in lines.iter().filter(|line| !line.is_minor) {
+            let places = line.pieces.iter().flatten();
+            let seen = places.filter_map(|place| self.project(*place));
+            let along = |place: &Pos2| (*place - foot).dot(aside);
+            let Some(end) = seen.max_by(|a, b| along(a).total_cmp(&along(b))) else {
+                continue;
+            };
+            let text = format::value(line.value);
+            let size = self.size(&text, &font) + PATCH;
+            let place = self
+                .labels
+                .borrow_mut()
+                .place(end, size, aside, Reach::There);
+            if let Some(Place { rect, .. }) = place {
+                let (middle, anchor) = (rect.center(), Align2::CENTER_CENTER);
+                draw::haloed_text(
+                    &painter,
+                    middle,
+                    anchor,
+                    &text,
+                    font.clone(),
+                    color,
+                    self.palette,
+                );
+            }
         }
     }
 
@@ -113,23 +209,26 @@ impl Sketch<'_> {
         };
         let eye = self.camera.eye().as_dvec3();
         let facing = (frame::phi(eye).to_degrees() / GRID_STEP_DEG).round() * GRID_STEP_DEG;
+        let (painter, font) = (self.ui.painter_at(self.rect), draw::small_font(self.ui));
         let label = |place: Vec3, degrees: f64| {
-            let Some(position) = self.camera.project(place, self.rect) else {
+            let Some(position) = self.project(place) else {
                 return;
             };
-            let painter = self.ui.painter_at(self.rect);
-            let text = format::degrees(degrees);
-            let galley =
-                painter.layout_no_wrap(text, draw::small_font(self.ui), self.palette.faint_ink);
-            let rect = Align2::CENTER_CENTER.anchor_size(position, galley.size());
+            let (text, color) = (format::degrees(degrees), self.palette.faint_ink);
+            let size = self.size(&text, &font);
             // A name is worth more than one of many numbers.
-            if self
-                .taken
-                .borrow()
-                .iter()
-                .all(|other| !other.intersects(rect))
-            {
-                painter.galley(rect.min, galley, self.palette.faint_ink);
+            let place = self
+                .labels
+                .borrow_mut()
+                .place(position, size, Vec2::ZERO, Reach::There);
+            if let Some(Place { rect, .. }) = place {
+                painter.text(
+                    rect.center(),
+                    Align2::CENTER_CENTER,
+                    text,
+                    font.clone(),
+                    color,
+                );
             }
         };
         for step in 0..12 {
@@ -144,82 +243,40 @@ impl Sketch<'_> {
     fn label_geometry(&self, session: &Session) {
         let held = session.held().as_vec3();
         let flat = Vec3::new(held.x, held.y, 0.0);
-        let color = self.palette.geometry;
+        let name =
+            |place: Vec3, text: String| self.name(place, &text, self.palette.geometry, Reach::Far);
         let between = (Vec3::Z + held).normalize_or_zero();
-        self.name(
-            between * (ARC_RADIUS + 0.1),
-            &format!("θ {}", format::degrees(session.theta_deg)),
-            color,
+        name(
+            between * ARC_RADIUS,
+            format!("θ {}", format::degrees(session.theta_deg)),
         );
         if flat.length() > FLAT {
             let (sin, cos) = (0.5 * session.phi_deg).to_radians().sin_cos();
             let middle = Vec3::new(cos as f32, sin as f32, 0.0);
-            self.name(
-                middle * (ARC_RADIUS + 0.12),
-                &format!("φ {}", format::degrees(session.phi_deg)),
-                color,
+            name(
+                middle * ARC_RADIUS,
+                format!("φ {}", format::degrees(session.phi_deg)),
             );
-            let below = Vec3::new(0.0, 0.0, -0.09);
-            self.name(
-                flat * 0.6 + below,
-                &format!("sin θ {:.3}", flat.length()),
-                color,
-            );
+            name(flat * 0.6, format!("sin θ {:.3}", flat.length()));
         }
     }
 
-    /// The scale: the value of the longest radius, and where one lobe is shown the colours with their values.
-    pub(super) fn scale(&self, lobes: &Lobes, session: &Session, scale: Scale) {
+    /// The scale: the value of the longest radius.
+    fn scale(&self, lobes: &Lobes, session: &Session) {
+        if lobes.radii().all(|(_, radius)| radius <= 0.0) {
+            return;
+        }
         let quantity = if session.with_cosine { "f cos θ" } else { "f" };
+        let place = self.rect.right_top() + vec2(-8.0, 6.0);
+        let text = match lobes.full() {
+            Some(full) => format!("radius = {quantity} {} 1/sr", format::value(full)),
+            None => format!("radius = {quantity} over its peak"),
+        };
+        let (font, color) = (draw::small_font(self.ui), self.palette.faint_ink);
         let painter = self.ui.painter_at(self.rect);
-        let font = draw::small_font(self.ui);
-        let Some(peak) = lobes.full() else {
-            if lobes.radii().any(|(_, radius)| radius > 0.0) {
-                let place = self.rect.right_top() + vec2(-8.0, 6.0);
-                let text = format!("radius = {quantity} over its peak");
-                let color = self.palette.faint_ink;
-                painter.text(place, Align2::RIGHT_TOP, text, font, color);
-            }
-            return;
-        };
-        if session.materials.is_overlay() {
-            let place = self.rect.right_top() + vec2(-8.0, 6.0);
-            let text = format!("radius = {quantity} {} 1/sr", format::value(peak));
-            let color = self.palette.faint_ink;
-            painter.text(place, Align2::RIGHT_TOP, text, font, color);
-            return;
-        }
-        let (width, height) = (10.0, (0.2 * self.rect.height()).clamp(50.0, 120.0));
-        let corner = self.rect.right_top() + vec2(-width - 8.0, 12.0);
-        let bar = Rect::from_min_size(corner, vec2(width, height));
-        let mut strip = egui::Mesh::default();
-        let steps = 24_u32;
-        for step in 0..=steps {
-            let t = step as f32 / steps as f32;
-            let color = theme::viridis_color(f64::from(1.0 - t));
-            let y = bar.top() + t * bar.height();
-            strip.colored_vertex(Pos2::new(bar.left(), y), color);
-            strip.colored_vertex(Pos2::new(bar.right(), y), color);
-            if step > 0 {
-                let first = 2 * (step - 1);
-                strip.add_triangle(first, first + 1, first + 2);
-                strip.add_triangle(first + 1, first + 2, first + 3);
-            }
-        }
-        painter.add(strip);
-        let text = |y: f32, anchor: Align2, text: String| {
-            let place = Pos2::new(bar.left() - 5.0, y);
-            painter.text(place, anchor, text, font.clone(), self.palette.faint_ink);
-        };
-        text(
-            bar.top(),
-            Align2::RIGHT_CENTER,
-            format!("{quantity} {} 1/sr", format::value(peak)),
-        );
-        let low = match scale.lengths {
-            RadialScale::Linear => "0".to_owned(),
-            RadialScale::Logarithmic { .. } => format::value(scale.lengths.value(0.0, peak)),
-        };
-        text(bar.bottom(), Align2::RIGHT_CENTER, low);
+        let covered = painter.text(place, Align2::RIGHT_TOP, text, font, color);
+        self.labels
+            .borrow_mut()
+            .keep_off(covered.expand2(0.5 * PATCH));
     }
 }

@@ -5,28 +5,18 @@ use std::sync::Arc;
 use egui::Color32;
 use glam::Vec3;
 
-use crate::scene3d::{Ray, Rgba, Scene, Surface, Vertex};
-use crate::theme;
+use crate::scene3d::Ray;
 use bxdf_lab::analysis::lobe::Arrow;
 use bxdf_lab::analysis::lobe3d::{self, Mesh};
 use bxdf_lab::analysis::{Channel, RadialScale};
-use bxdf_study::session::{EntryId, LobeSurface, Session};
+use bxdf_study::session::{EntryId, Session};
 
 /// The largest radius of the lobe: a little less than the dome's, or the two surfaces would flicker into each other.
-const LARGEST_RADIUS: f64 = 0.96;
-
-/// Width of the line inside the lobe, in points.
-const SPINE_WIDTH: f32 = 1.5;
-
-/// Width of the edges of a mesh, in points.
-const WIRE_WIDTH: f32 = 1.0;
+pub(super) const LARGEST_RADIUS: f64 = 0.96;
 
 /// Of several lobes, those that are longer than this share of the longest radius have their name at the tip: the names
 /// of the others would hide them.
 const SHORTEST_NAMED: f64 = 0.35;
-
-/// Where the light comes from that shades what is drawn unlit, a unit vector.
-const LIGHT: Vec3 = Vec3::new(0.36, 0.48, 0.8);
 
 /// A material as the view shows it.
 pub(super) struct Part {
@@ -39,7 +29,10 @@ pub(super) struct Part {
 
 /// The lobes of all materials shown.
 pub(super) struct Lobes {
-    all: Vec<(Part, DrawnLobe)>,
+    pub(super) all: Vec<(Part, DrawnLobe)>,
+    /// In proportion, or by decades.
+    pub(super) lengths: RadialScale,
+    /// The value of the full radius, where all share it.
     full: Option<f64>,
 }
 
@@ -50,11 +43,12 @@ impl Lobes {
             let full = scales.full_of(index);
             let values = shown_values(&part.mesh, session);
             let radii = values.map(|value| scales.lengths.radius(value, full));
-            let lobe = DrawnLobe::of(&part.mesh, radii.collect());
+            let lobe = DrawnLobe::of(&part.mesh, radii.collect(), full);
             (part, lobe)
         };
         Self {
             all: parts.into_iter().enumerate().map(lobe).collect(),
+            lengths: scales.lengths,
             full: scales.shared(),
         }
     }
@@ -92,23 +86,6 @@ impl Lobes {
                     .filter(|(radius, _)| *radius > SHORTEST_NAMED)?;
                 Some((part.title.as_str(), part.color, tip))
             })
-    }
-
-    /// Adds the lobes as the session has them drawn: one alone in the colours of its values, several in their own.
-    pub(super) fn add_to(&self, scene: &mut Scene, session: &Session) {
-        let is_overlay = self.all.len() > 1;
-        let style = match session.lobe_surface {
-            LobeSurface::Automatic if is_overlay => LobeSurface::Translucent,
-            // What is drawn inside has to show.
-            LobeSurface::Automatic | LobeSurface::Solid if session.show_geometry => {
-                LobeSurface::Translucent
-            }
-            style => style,
-        };
-        for (part, lobe) in &self.all {
-            let color = is_overlay.then(|| theme::rgba(part.color, u8::MAX));
-            lobe.add_to(scene, style, color);
-        }
     }
 
     /// How far along `ray`, in units of its direction, the first lobe is met, and whose it is.
@@ -165,6 +142,14 @@ impl Scales {
         }
     }
 
+    /// Those of one of the lobes, by itself.
+    pub(super) fn of_one(&self, lobe: usize) -> Self {
+        Self {
+            full: Full::Shared(self.full_of(lobe)),
+            ..*self
+        }
+    }
+
     pub(super) fn shared(&self) -> Option<f64> {
         match self.full {
             Full::Shared(full) if full > 0.0 => Some(full),
@@ -174,18 +159,20 @@ impl Scales {
 }
 
 /// A lobe's surface in the scene's coordinates.
-struct DrawnLobe {
+pub(super) struct DrawnLobe {
     /// Relative radii, 0..1, vertex by vertex.
-    radii: Vec<f64>,
-    tips: Vec<Vec3>,
-    triangles: Vec<[u32; 3]>,
+    pub(super) radii: Vec<f64>,
+    pub(super) tips: Vec<Vec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The value of the full radius.
+    pub(super) full: f64,
     /// The corners of the box about the tips.
     bounds: [Vec3; 2],
 }
 
 impl DrawnLobe {
-    /// `mesh` with these radii, 0..1, vertex by vertex.
-    fn of(mesh: &Mesh, radii: Vec<f64>) -> Self {
+    /// `mesh` with these radii, 0..1, vertex by vertex, 1 where the value is `full`.
+    fn of(mesh: &Mesh, radii: Vec<f64>, full: f64) -> Self {
         let tips: Vec<Vec3> = mesh
             .vertices
             .iter()
@@ -198,6 +185,7 @@ impl DrawnLobe {
             radii,
             tips,
             triangles: Vec::new(),
+            full,
             bounds: [least, most],
         };
         // Triangles that have shrunk into the centre show nothing and would spoil the normals.
@@ -207,99 +195,23 @@ impl DrawnLobe {
         lobe
     }
 
-    fn tip(&self, index: u32) -> Vec3 {
+    pub(super) fn tip(&self, index: u32) -> Vec3 {
         self.tips.get(index as usize).copied().unwrap_or_default()
     }
 
-    /// The colours of the vertices: of their values, or all of one colour.
-    fn colors(&self, color: Option<Rgba>) -> impl Iterator<Item = Rgba> {
-        let of = move |radius: &f64| color.unwrap_or_else(|| theme::viridis(*radius));
-        self.radii.iter().map(of)
-    }
-
-    /// Adds the surface, coloured by radius if not all of one `color`.
-    fn add_to(&self, scene: &mut Scene, style: LobeSurface, color: Option<Rgba>) {
-        match style {
-            LobeSurface::Automatic | LobeSurface::Solid => {
-                let vertices = self.vertices(self.colors(color));
-                self.append(&mut scene.opaque, &vertices);
-            }
-            LobeSurface::Translucent => {
-                let mut vertices = self.vertices(self.colors(color));
-                for vertex in &mut vertices {
-                    // Translucent surfaces are drawn unlit: of one colour, their shape would not show.
-                    if color.is_some() {
-                        let light = Vec3::from_array(vertex.normal).dot(LIGHT).abs();
-                        vertex.color = theme::shaded(vertex.color, light.min(1.0));
-                    }
-                    vertex.color[3] = theme::SEE_THROUGH_ALPHA;
-                }
-                self.append(&mut scene.translucent, &vertices);
-            }
-            LobeSurface::Wire => self.add_wire(scene, color),
-        }
-        self.add_spine(scene, color);
-    }
-
-    fn append(&self, surface: &mut Surface, vertices: &[Vertex]) {
-        surface.append(vertices, self.triangles.iter().copied().flatten());
-    }
-
-    /// The vertices, for smooth shading.
-    fn vertices(&self, colors: impl Iterator<Item = Rgba>) -> Vec<Vertex> {
-        let mut normals = vec![Vec3::ZERO; self.tips.len()];
-        for triangle in &self.triangles {
-            let [a, b, c] = triangle.map(|index| self.tip(index));
-            // Twice the area along the normal: large triangles count for more.
-            let normal = (b - a).cross(c - a);
-            for index in triangle {
-                if let Some(sum) = normals.get_mut(*index as usize) {
-                    *sum += normal;
-                }
-            }
-        }
-        self.tips
-            .iter()
-            .zip(&normals)
-            .zip(colors)
-            .map(|((tip, normal), color)| Vertex {
-                position: tip.to_array(),
-                normal: normal.normalize_or_zero().to_array(),
-                color,
-            })
-            .collect()
-    }
-
-    /// Every edge once: the triangles on its sides run along it in opposite directions.
-    fn add_wire(&self, scene: &mut Scene, color: Option<Rgba>) {
-        let colors: Vec<Rgba> = self.colors(color).collect();
-        for [a, b, c] in &self.triangles {
-            for (from, to) in [(a, b), (b, c), (c, a)] {
-                if from < to {
-                    let color = colors.get(*from as usize).copied().unwrap_or_default();
-                    scene.add_line(self.tip(*from), self.tip(*to), color, WIRE_WIDTH);
-                }
-            }
-        }
+    /// The place on the edge between two corners, this part of the way from the first to the second.
+    pub(super) fn on_edge(&self, [a, b]: [u32; 2], part: f32) -> Vec3 {
+        self.tip(a).lerp(self.tip(b), part)
     }
 
     /// The longest radius and its tip; `None` for a lobe that is 0 everywhere.
-    fn highest(&self) -> Option<(f64, Vec3)> {
+    pub(super) fn highest(&self) -> Option<(f64, Vec3)> {
         self.radii
             .iter()
             .copied()
             .zip(self.tips.iter().copied())
             .max_by(|a, b| a.0.total_cmp(&b.0))
             .filter(|(radius, _)| *radius > 0.0)
-    }
-
-    /// A line to the highest tip: inside a lobe of some width it is hidden, of a lobe thinner than a pixel it is what
-    /// remains to be seen.
-    fn add_spine(&self, scene: &mut Scene, color: Option<Rgba>) {
-        if let Some((radius, tip)) = self.highest() {
-            let color = color.unwrap_or_else(|| theme::viridis(radius));
-            scene.add_line(Vec3::ZERO, tip, color, SPINE_WIDTH);
-        }
     }
 
     /// How far along `ray`, in units of its direction, the surface is first met (Moeller & Trumbore 1997).
@@ -330,37 +242,38 @@ impl DrawnLobe {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use bxdf_lab::analysis::deltas::Arrows;
-    use bxdf_study::answers::Answers;
-    use bxdf_study::session::MaterialEntry;
-    use bxdf_study::views::lobe3d::Options;
-
-    fn lobes(session: &Session) -> Lobes {
-        let mut answers = Answers::at_once();
-        let part = |entry: &MaterialEntry| Part {
+impl Lobes {
+    /// The lobes that `session` shows, with these lengths.
+    pub(super) fn of_session(session: &Session, lengths: RadialScale) -> Self {
+        let mut answers = bxdf_study::answers::Answers::at_once();
+        let options = bxdf_study::views::lobe3d::Options {
+            scale: bxdf_study::views::Scale::of(lengths),
+            ..Default::default()
+        };
+        let part = |entry: &bxdf_study::session::MaterialEntry| Part {
             material: entry.id(),
             title: entry.title(),
             color: Color32::WHITE,
-            mesh: answers.ask(session, entry, Options::default().request(session)),
-            arrows: answers.ask(session, entry, Arrows),
+            mesh: answers.ask(session, entry, options.request(session)),
+            arrows: answers.ask(session, entry, bxdf_lab::analysis::deltas::Arrows),
         };
         let parts: Vec<Part> = session.materials.shown().map(part).collect();
         let peaks = parts.iter().map(|part| peak(&part.mesh, session));
-        let scales = Scales {
-            lengths: RadialScale::Linear,
-            full: Full::Shared(peaks.fold(0.0, f64::max)),
-        };
-        Lobes::of(parts, session, &scales)
+        let full = Full::Shared(peaks.fold(0.0, f64::max));
+        Self::of(parts, session, &Scales { lengths, full })
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
 
     #[test]
     fn several_lobes_share_the_scale_and_the_nearest_is_met() {
         let mut session = Session::of("lambertian_reflection".parse().unwrap());
         let dark = "lambertian_reflection:reflectance=0.2".parse().unwrap();
         let dark = session.materials.add(dark).unwrap();
-        let lobes = lobes(&session);
+        let lobes = Lobes::of_session(&session, RadialScale::Linear);
         let outer = session.materials.iter().next().unwrap().id();
         let up = Ray {
             origin: Vec3::new(0.1, 0.05, -1.0),
@@ -383,31 +296,9 @@ mod tests {
     }
 
     #[test]
-    fn a_wire_has_every_edge_once() {
-        let mut session = Session::of("lambertian_reflection".parse().unwrap());
-        session.lobe_surface = LobeSurface::Wire;
-        let lobes = lobes(&session);
-        let mut scene = Scene::default();
-        lobes.add_to(&mut scene, &session);
-        assert!(scene.opaque.indices.is_empty() && scene.translucent.indices.is_empty());
-        let (_, lobe) = &lobes.all[0];
-        let edges = scene.lines.len() - 1;
-        // Of a closed surface, three halves of the triangles; here it is open along the horizon.
-        let closed = 3 * lobe.triangles.len() / 2;
-        assert!(
-            edges <= closed + 200 && edges + 200 >= closed,
-            "{edges} {closed}"
-        );
-        let mut ends: Vec<_> = scene.lines.iter().map(|line| (line.a, line.b)).collect();
-        ends.sort_by(|a, b| a.partial_cmp(b).unwrap());
-        ends.dedup();
-        assert_eq!(ends.len(), scene.lines.len());
-    }
-
-    #[test]
     fn a_ray_meets_a_lambertian_lobe_where_it_should() {
         let session = Session::of("lambertian_reflection".parse().unwrap());
-        let lobes = lobes(&session);
+        let lobes = Lobes::of_session(&session, RadialScale::Linear);
         assert!((lobes.full().unwrap() - 0.8 / std::f64::consts::PI).abs() < 1e-12);
         let down = Ray {
             origin: Vec3::new(0.1, 0.05, 3.0),

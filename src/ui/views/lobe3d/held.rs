@@ -1,0 +1,87 @@
+//! The held direction: a small sun, or the eye of the viewer, on the dome, which is dragged.
+
+use std::f32::consts::TAU;
+
+use egui::{Painter, Pos2, Rect, Ui, Vec2, vec2};
+
+use super::super::context::ViewContext;
+use crate::scene3d::Projection as _;
+use crate::theme::{HANDLE_RADIUS, Palette};
+use crate::widgets::handle;
+use bxdf_lab::analysis::Hold;
+use bxdf_study::session::OrbitCamera;
+use bxdf_study::views::lobe3d::Options;
+
+/// Rays of the sun.
+const RAYS: u8 = 10;
+/// Where they begin and end beyond the handle, in points.
+const RAY: [f32; 2] = [3.5, 7.0];
+/// Half the width and height of the eye, in points.
+const EYE: [f32; 2] = [16.0, 11.0];
+/// Width of the strokes of either, in points.
+const STROKE: f32 = 1.6;
+/// How much wider the halo is that sets them off against a lobe, in points.
+const HALO: f32 = 2.0;
+/// Steps of a lid of the eye.
+const LID_STEPS: u8 = 12;
+
+/// What the held direction covers where its tip is at `tip`: no label stands there.
+pub(super) fn room(tip: Pos2) -> Rect {
+    handle::room(tip).expand(RAY[1])
+}
+
+/// The handle of the held direction on the dome. Returns whether it is being dragged.
+pub(super) fn drag(
+    ui: &Ui,
+    cx: &mut ViewContext<'_, Options>,
+    rect: Rect,
+    camera: &OrbitCamera,
+) -> bool {
+    let Some(tip) = camera.project(cx.session.held().as_vec3(), rect) else {
+        return false;
+    };
+    let painter = ui.painter_at(rect);
+    match cx.session.hold {
+        Hold::Light => sun(&painter, tip, cx.palette),
+        Hold::Viewer => eye(&painter, tip, cx.palette),
+    }
+    let color = cx.palette.held(cx.session.hold);
+    let name = "Held direction in the 3D lobe";
+    let named = (ui.scope_id().with("held"), name, rect);
+    let handle = handle::show(ui, tip, named, color, cx.palette);
+    if let Some(place) = handle.dragged_to() {
+        let w = camera.ray(place, rect).drag_on_sphere(1.0);
+        cx.session.set_held(w.as_dvec3());
+        ui.ctx().request_repaint();
+    }
+    handle.is_dragged()
+}
+
+/// The rays of a sun about its disc, which is the handle.
+fn sun(painter: &Painter, middle: Pos2, palette: &Palette) {
+    for ray in 0..RAYS {
+        let way = Vec2::angled(TAU * f32::from(ray) / f32::from(RAYS));
+        let ends = RAY.map(|beyond| middle + way * (HANDLE_RADIUS + beyond));
+        for stroke in [(STROKE + HALO, palette.background), (STROKE, palette.light)] {
+            painter.line_segment(ends, stroke);
+        }
+    }
+}
+
+/// The lids of an eye about its iris, which is the handle.
+fn eye(painter: &Painter, middle: Pos2, palette: &Palette) {
+    let [width, height] = EYE;
+    for side in [-1.0, 1.0] {
+        let lid = (0..=LID_STEPS).map(|step| {
+            let x = 2.0 * f32::from(step) / f32::from(LID_STEPS) - 1.0;
+            middle + vec2(width * x, side * height * (1.0 - x * x))
+        });
+        let lid: Vec<Pos2> = lid.collect();
+        for stroke in [
+            (STROKE + HALO, palette.background),
+            (STROKE, palette.viewer),
+        ] {
+            painter.line(lid.clone(), stroke);
+        }
+    }
+}
