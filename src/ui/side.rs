@@ -83,17 +83,19 @@ impl App {
                 let clicked =
                     badges::show(ui, &title, &before, material, &mut self.answers, palette);
                 wished = clicked.or(wished.take());
-                ui.set_max_width(width);
-                let Session {
-                    materials, locked, ..
-                } = &mut self.session;
-                let mut ties = Ties {
-                    has_linked_widths: &mut edited.has_linked_widths,
-                    locked,
-                    is_shared: &|spec| materials.is_shared(spec),
-                };
-                self.components
-                    .show(ui, material, &mut ties, &mut self.side);
+                ui.scope(|ui| {
+                    ui.set_max_width(width);
+                    let Session {
+                        materials, locked, ..
+                    } = &mut self.session;
+                    let mut ties = Ties {
+                        has_linked_widths: &mut edited.has_linked_widths,
+                        locked,
+                        is_shared: &|spec| materials.is_shared(spec),
+                    };
+                    self.components
+                        .show(ui, material, &mut ties, &mut self.side);
+                });
             });
             ui.add_space(4.0);
         });

@@ -14,7 +14,7 @@ pub static NEW: Command = command(
         "Start a new session; undo brings this one back",
     ],
     &[key(CTRL, Key::N)],
-    |app, ctx| app.start_anew(ctx),
+    App::start_anew,
 );
 
 /// Opens a file.

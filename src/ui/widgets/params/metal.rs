@@ -69,7 +69,7 @@ pub(super) fn show(
     }
     ui.indent("n and k", |ui| {
         for spec in specs {
-            let place = Place { ordinal, spec };
+            let place = Place { spec, ordinal };
             row::of_component(ui, component, place, Some(&mut *ties));
         }
         ui.label(RichText::new("One n and one k for each of red, green and blue").small());

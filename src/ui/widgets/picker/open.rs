@@ -110,7 +110,7 @@ impl Open {
         materials: &Materials,
         (thumbnails, answers): (&mut Thumbnails, &mut Answers),
     ) -> Outcome {
-        let keys = self.keys(ui);
+        let keys = keys(ui);
         let is_left = self.head(ui, &materials.title(materials.selected()));
         self.field(ui);
         let found = self.found();
@@ -137,28 +137,6 @@ impl Open {
         Outcome {
             chosen: entered.or(clicked.map(|entry| (entry, is_shift))),
             is_left,
-        }
-    }
-
-    /// What is pressed, before the field would take it.
-    fn keys(&self, ui: &Ui) -> Keys {
-        let has_focus = ui.memory(|memory| memory.has_focus(field_id()));
-        if !has_focus {
-            // Unless something else is typed into or gone to, the search is.
-            if ui.memory(|memory| memory.focused().is_none()) {
-                ui.memory_mut(|memory| memory.request_focus(field_id()));
-            }
-            return Keys {
-                steps: [0, 0],
-                entered: None,
-            };
-        }
-        let take = |modifiers| ui.input_mut(|input| input.consume_key(modifiers, Key::Enter));
-        let is_added = take(Modifiers::SHIFT);
-        let is_entered = is_added || take(Modifiers::NONE);
-        Keys {
-            steps: [hits::take_columns(ui), hits::take_rows(ui)],
-            entered: is_entered.then_some(is_added),
         }
     }
 
@@ -289,6 +267,28 @@ impl Open {
             }
         }
         clicked
+    }
+}
+
+/// What is pressed, before the field would take it.
+fn keys(ui: &Ui) -> Keys {
+    let has_focus = ui.memory(|memory| memory.has_focus(field_id()));
+    if !has_focus {
+        // Unless something else is typed into or gone to, the search is.
+        if ui.memory(|memory| memory.focused().is_none()) {
+            ui.memory_mut(|memory| memory.request_focus(field_id()));
+        }
+        return Keys {
+            steps: [0, 0],
+            entered: None,
+        };
+    }
+    let take = |modifiers| ui.input_mut(|input| input.consume_key(modifiers, Key::Enter));
+    let is_added = take(Modifiers::SHIFT);
+    let is_entered = is_added || take(Modifiers::NONE);
+    Keys {
+        steps: [hits::take_columns(ui), hits::take_rows(ui)],
+        entered: is_entered.then_some(is_added),
     }
 }
 
