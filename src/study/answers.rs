@@ -120,7 +120,7 @@ const FRAMES_KEPT: u64 = 3;
 ///
 /// What takes longer than a frame is computed by the pool: until then the views get the last answer, or an empty one.
 pub struct Answers {
-    answers: HashMap<Of, OfMaterial>,
+    given: HashMap<Of, OfMaterial>,
     /// What was ordered: an `Asking<Q>` for each type of query `Q`.
     orders: HashMap<TypeId, Box<dyn Any>>,
     jobs: Jobs,
@@ -149,7 +149,7 @@ impl Answers {
     #[must_use]
     pub fn new(clock: Option<Clock>, pool: Pool, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
-            answers: HashMap::new(),
+            given: HashMap::new(),
             orders: HashMap::new(),
             jobs: Jobs::new(clock, pool, wake),
             clock,
@@ -167,7 +167,7 @@ impl Answers {
         self.frame += 1;
         self.jobs.begin_frame();
         let frame = self.frame;
-        self.answers.retain(|of, answers| {
+        self.given.retain(|of, answers| {
             let is_entry = matches!(of, Of::Entry(_));
             // What the window itself asks of a material may be out of sight for a while.
             answers.slots.retain(|(asker, ..), kept| {
@@ -212,7 +212,7 @@ impl Answers {
 
     /// The surface of a material.
     pub fn surface(&mut self, session: &Session, entry: &MaterialEntry) -> Arc<Surface> {
-        let answers = self.answers.entry(Of::Entry(entry.id())).or_default();
+        let answers = self.given.entry(Of::Entry(entry.id())).or_default();
         answers.surface(&entry.material, Some(session.rotation_deg))
     }
 
@@ -283,14 +283,14 @@ impl Answers {
         if !material.is_complete() {
             return None;
         }
-        let answers = self.answers.entry(of).or_default();
+        let answers = self.given.entry(of).or_default();
         let asked = Asked::of(answers.surface(material, rotation_deg), query);
         let answer = self.answer(of, &asked);
         answer.value.filter(|_| answer.detail.is_some())
     }
 
     fn answer<Q: Query>(&mut self, of: Of, asked: &Asked<Q>) -> Answer<Q::Answer> {
-        let answers = self.answers.entry(of).or_default();
+        let answers = self.given.entry(of).or_default();
         let answer = answers.ask(&mut self.jobs, (self.asker, self.frame), asked);
         if Q::PACE.is_awaited() {
             self.shown = self.shown.min(answer.detail);
@@ -306,7 +306,7 @@ impl Answers {
         if !entry.material.is_complete() {
             return;
         }
-        let answers = self.answers.entry(Of::Entry(entry.id())).or_default();
+        let answers = self.given.entry(Of::Entry(entry.id())).or_default();
         let asked = Asked::of(answers.surface(&entry.material, None), query);
         let mut order = Asking::default();
         order.answer(&mut self.jobs, &asked);

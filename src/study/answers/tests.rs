@@ -73,7 +73,7 @@ fn each_material_keeps_its_answers_until_it_is_removed() {
     ));
     session.materials.remove(added);
     answers.begin_frame(&session);
-    assert_eq!(answers.answers.len(), 1);
+    assert_eq!(answers.given.len(), 1);
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn what_is_named_is_answered_without_a_session() {
             .unwrap()
     ));
     (0..2 * FRAMES_KEPT).for_each(|_| answers.begin_frame(&Session::default()));
-    assert!(answers.answers.is_empty());
+    assert!(answers.given.is_empty());
 }
 
 /// The letters of the material's title, told one after the other, each as soon as the gate lets it through.
