@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo};
 use glam::{DVec3, Vec3};
 
 use super::context::ViewContext;
@@ -38,7 +38,7 @@ const UPPER_CENTRE: Vec3 = Vec3::new(0.0, 0.0, 0.38);
 /// How much closer the camera then comes.
 const UPPER_ZOOM: f32 = 1.15;
 /// Width over height of each of several lobes side by side.
-const CELL_ASPECT: f32 = 1.35;
+const CELL_ASPECT: f32 = 1.1;
 /// Where the button stands that puts the camera back.
 const RESET_CORNER: Align2 = Align2::LEFT_TOP;
 
@@ -55,20 +55,18 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         (cx.options.scale, cx.options.arrangement) = (scale, arrangement);
         settings::cosine(ui, cx);
         surface_choice(ui, cx);
+        home_buttons(ui, cx.session);
     });
     let is_overlaid = cx.options.arrangement == Arrangement::Overlaid || requested.len() < 2;
     if is_overlaid {
         legend::show(ui, Swatch::Patch, cx.session, cx.palette);
     }
     let room = ui.available_rect_before_wrap();
-    let buttons = home_buttons(ui, room, cx.session);
-    let reset = reset::place(room, RESET_CORNER);
-    let covered = [buttons, reset];
+    let covered = reset::place(room, RESET_CORNER);
     if is_overlaid {
         show_scene(ui, cx, (requested, scales), room, covered);
     } else {
-        let rest = room.with_max_y(buttons.top());
-        let cells = pictures::cells(rest, requested.len(), CELL_ASPECT);
+        let cells = pictures::cells(room, requested.len(), CELL_ASPECT);
         for (index, (cell, one)) in cells.into_iter().zip(requested).enumerate() {
             pictures::title(ui, cell, one.material(), cx.session, cx.palette);
             let own = scales.of_one(index);
@@ -89,13 +87,13 @@ fn is_moved(cx: &ViewContext<'_, Options>) -> bool {
     !cx.session.camera.is_home() && !cx.state.is_picture
 }
 
-/// The lobes of what is `requested`. `covered`: where the buttons of the view stand, that of the camera last.
+/// The lobes of what is `drawn`. `covered`: where the button stands that puts the camera back.
 fn show_scene(
     ui: &mut Ui,
     cx: &mut ViewContext<'_, Options>,
     drawn: (Vec<Requested>, Scales),
     rect: Rect,
-    [buttons, reset]: [Rect; 2],
+    covered: Rect,
 ) {
     let response = ui.interact(rect, ui.scope_id().with("scene"), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
@@ -115,9 +113,8 @@ fn show_scene(
     };
     ui.painter().add(scene3d::shape(rect, view));
     let mut labels = Labels::within(rect);
-    labels.keep_off(buttons);
     if is_moved(cx) {
-        labels.keep_off(reset);
+        labels.keep_off(covered);
     }
     let tip = camera.project(cx.session.held().as_vec3(), rect);
     if let Some(tip) = tip {
@@ -222,32 +219,18 @@ fn move_camera(ui: &Ui, response: &egui::Response, session: &mut Session) {
     }
 }
 
-/// The buttons below the picture; what they cover.
-fn home_buttons(ui: &mut Ui, rect: Rect, session: &mut Session) -> Rect {
-    let strip = Rect::from_min_size(
-        rect.left_bottom() + vec2(6.0, -28.0),
-        vec2(rect.width() - 12.0, 22.0),
-    );
-    let shown = ui.scope_builder(
-        egui::UiBuilder::new().max_rect(strip).id_salt("home views"),
-        |ui| {
-            let row = ui.horizontal(|ui| {
-                for home in HomeView::ALL {
-                    let hint = "Look from here; double-click the view to reset, drag to orbit, \
-                    Shift-drag to pan, scroll to zoom";
-                    if ui.small_button(home.label()).on_hover_text(hint).clicked() {
-                        session.camera.home(home);
-                    }
-                }
-                let hint = "Draw theta, phi and the projection of the held direction onto the \
-                surface, whose length is sin theta";
-                ui.toggle_value(&mut session.show_geometry, "Angles")
-                    .on_hover_text(hint);
-            });
-            row.response.rect
-        },
-    );
-    shown.inner
+/// The home views, and the overlay of the angles.
+fn home_buttons(ui: &mut Ui, session: &mut Session) {
+    for home in HomeView::ALL {
+        let hint = "Look from here; double-click the view to reset, drag to orbit, Shift-drag to pan, scroll to zoom";
+        if ui.small_button(home.label()).on_hover_text(hint).clicked() {
+            session.camera.home(home);
+        }
+    }
+    let hint = "Draw theta, phi and the projection of the fixed direction onto the surface, whose length is sin theta, with \
+                their sines, cosines and tangents";
+    ui.toggle_value(&mut session.show_geometry, "Angles")
+        .on_hover_text(hint);
 }
 
 /// The direction and value under the pointer: on the lobe where the pointer meets it, else on the dome.

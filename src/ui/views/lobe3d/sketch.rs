@@ -49,6 +49,9 @@ impl Sketch<'_> {
     pub(super) fn draw(&self, session: &Session, drawing: &Drawing) {
         let lobes = &drawing.lobes;
         self.scale(lobes, session);
+        if session.show_geometry {
+            self.trigonometry(session);
+        }
         self.name_held(session);
         self.name_deltas(lobes);
         if session.show_geometry {
@@ -261,6 +264,22 @@ impl Sketch<'_> {
         }
     }
 
+    /// Cosine, sine and tangent of the angles, in a corner.
+    fn trigonometry(&self, session: &Session) {
+        let line = |name: &str, angle_deg: f64| {
+            let [cos, sin, tan] = cos_sin_tan(angle_deg);
+            format!("cos {name} {cos}   sin {name} {sin}   tan {name} {tan}")
+        };
+        let lines = [line("θ", session.theta_deg), line("φ", session.phi_deg)];
+        let place = self.rect.left_bottom() + vec2(8.0, -6.0);
+        let (font, color) = (draw::small_font(self.ui), self.palette.geometry);
+        let painter = self.ui.painter_at(self.rect);
+        let covered = painter.text(place, Align2::LEFT_BOTTOM, lines.join("\n"), font, color);
+        self.labels
+            .borrow_mut()
+            .keep_off(covered.expand2(0.5 * PATCH));
+    }
+
     /// The scale: the value of the longest radius.
     fn scale(&self, lobes: &Lobes, session: &Session) {
         if lobes.radii().all(|(_, radius)| radius <= 0.0) {
@@ -278,5 +297,29 @@ impl Sketch<'_> {
         self.labels
             .borrow_mut()
             .keep_off(covered.expand2(0.5 * PATCH));
+    }
+}
+
+/// Cosine, sine and tangent as text; the tangent of a right angle is infinite.
+fn cos_sin_tan(angle_deg: f64) -> [String; 3] {
+    let (cos, sin) = frame::cos_sin_deg(angle_deg);
+    let number = |x: f64| format!("{:.3}", x + 0.0);
+    let tangent = if cos == 0.0 {
+        "∞".to_owned()
+    } else {
+        number(sin / cos)
+    };
+    [number(cos), number(sin), tangent]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn right_angles_are_exact() {
+        assert_eq!(cos_sin_tan(90.0), ["0.000", "1.000", "∞"]);
+        assert_eq!(cos_sin_tan(180.0), ["-1.000", "0.000", "0.000"]);
+        assert_eq!(cos_sin_tan(45.0)[2], "1.000");
     }
 }
