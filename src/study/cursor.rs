@@ -1,4 +1,4 @@
-//! The direction last pointed at.
+//! The direction pointed at.
 
 use glam::DVec3;
 
@@ -17,8 +17,8 @@ pub struct Cursor {
 }
 
 impl Cursor {
-    /// Holds one direction of the pair at `witness`, which is of a surface that is not turned, and points at the other. A
-    /// light alone is held whatever was held before; so is a viewer alone.
+    /// Holds one direction of the pair at `witness`, which is of a surface that is not turned, puts the other one, and points
+    /// at it. A light alone is held whatever was held before; so is a viewer alone.
     #[must_use]
     pub fn jump(session: &mut Session, material: EntryId, witness: &Witness) -> Option<Self> {
         let (held, free) = match (session.hold, witness.wo, witness.wi) {
@@ -34,10 +34,20 @@ impl Cursor {
         };
         session.hold_on_surface(held);
         let direction = session.on_surface(free?);
+        session.put_other(direction);
         Some(Self {
             material,
             direction,
         })
+    }
+
+    /// The other direction of the session, of the selected material: what is read while nobody points.
+    #[must_use]
+    pub fn at_other(session: &Session) -> Self {
+        Self {
+            material: session.materials.selected().id(),
+            direction: session.other(),
+        }
     }
 
     /// The material pointed at; the selected one where it is no longer there, or hidden; of what is not here nothing is read.

@@ -62,7 +62,11 @@ impl App {
             if commands::FOUR_KINDS.button(ui, self) {
                 wished = Some(&commands::FOUR_KINDS);
             }
-            let opened = layouts::menu(ui, &mut self.session.views, self.room_of_views.into());
+            let opened = layouts::menu(
+                ui,
+                &mut self.session.views,
+                self.room_of_views.size().into(),
+            );
             self.notice.report(opened);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 options::theme_menu(ui);
@@ -158,9 +162,10 @@ impl App {
                 let selected = self.session.materials.selected();
                 let shares = self.answers.ask(&self.session, selected, SHARES);
                 // Panels are drawn before the views: the line shows the pointer of the frame before.
-                let value = before.map(|cursor| cursor.value(&self.session, &mut self.answers));
+                let read = before.unwrap_or_else(|| Cursor::at_other(&self.session));
+                let value = read.value(&self.session, &mut self.answers);
                 let bar = Bar {
-                    cursor: before.as_ref().zip(value),
+                    cursor: Some((&read, value)),
                     energy: Energy::of(&shares, palette),
                     progress: self.answers.progress(),
                 };
@@ -209,8 +214,13 @@ impl eframe::App for App {
         self.session.keep_allowed(self.history.present());
         self.answers.begin_frame(&self.session);
         self.state.begin_frame(&self.session);
+        // What is pointed at is that only while somebody points.
+        let pointer = ui.input(|input| input.pointer.hover_pos());
+        let is_pointing = pointer.is_some_and(|at| self.room_of_views.contains(at));
+        self.cursor = self.cursor.filter(|_| is_pointing);
         let before = self.cursor;
         if let Some(view) = self.only {
+            self.room_of_views = ui.max_rect();
             let frame = egui::Frame::NONE
                 .fill(palette.background)
                 .inner_margin(theme::TILE_MARGIN);
@@ -240,7 +250,7 @@ impl eframe::App for App {
         let views = CentralPanel::no_frame()
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
-        self.room_of_views = views.response.rect.size();
+        self.room_of_views = views.response.rect;
         self.show_picker(ui.ctx(), views.response.rect);
         self.show_windows(ui.ctx(), views.response.rect);
         self.session.keep_allowed(self.history.present());

@@ -23,19 +23,14 @@ type Dragged = (&'static str, &'static str, &'static str, Vec2);
 const HANDLES: [Dragged; 5] = [
     (
         "polar",
-        "Held direction in the polar plot",
+        "Light in the polar plot",
         "gold",
         vec2(0.64, -0.77),
     ),
-    (
-        "lobe3d",
-        "Held direction in the 3D lobe",
-        "gold",
-        vec2(0.8, 0.6),
-    ),
+    ("lobe3d", "Light in the 3D lobe", "gold", vec2(0.8, 0.6)),
     (
         "hemisphere",
-        "Held direction in the hemisphere",
+        "Light in the hemisphere",
         "gold",
         vec2(0.6, 0.8),
     ),
@@ -209,7 +204,7 @@ fn beside_a_handle_a_fast_drag_moves_the_view_which_is_then_reset() {
 #[test]
 fn what_was_panned_or_zoomed_is_reset() {
     for (view, canvas_name, label) in [
-        ("polar", None, "Held direction in the polar plot"),
+        ("polar", None, "Light in the polar plot"),
         ("cartesian", Some("Cartesian plot"), "Cartesian plot"),
         ("tradeoff", Some("Trade-off"), "Line of the tolerance"),
     ] {
@@ -248,7 +243,7 @@ fn what_was_panned_stays_in_another_room() {
     for view in ["polar", "cartesian"] {
         let mut harness = alone(view, "gold");
         let at = match view {
-            "polar" => middle(&harness, "Held direction in the polar plot") + vec2(60.0, 60.0),
+            "polar" => middle(&harness, "Light in the polar plot") + vec2(60.0, 60.0),
             _ => canvas(&harness, "Cartesian plot").center(),
         };
         feed(&mut harness, swipe(at, vec2(60.0, 20.0)));

@@ -16,7 +16,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable};
 
 use super::{choose, picture, session};
 
-const HELD: &str = "Held direction in the polar plot";
+const HELD: &str = "Light in the polar plot";
 
 /// Views with these options side by side.
 fn beside(material: &str, views: impl IntoIterator<Item = Options>) -> Session {

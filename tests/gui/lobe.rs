@@ -85,7 +85,7 @@ fn the_camera_glides_home_and_rests() {
         .harness()
         .unwrap();
     let handle = |harness: &egui_kittest::Harness<'_, _>| {
-        let found = harness.get_by_label("Held direction in the 3D lobe");
+        let found = harness.get_by_label("Light in the 3D lobe");
         found.rect().center()
     };
     let start = handle(&harness);

@@ -76,7 +76,7 @@ fn the_read_out_names_the_material() {
         "the outer lobe is met first"
     );
     harness.state_mut().session.materials.select(second);
-    let held = harness.get_by_label("Held direction in the polar plot");
+    let held = harness.get_by_label("Light in the polar plot");
     harness.hover_at(held.rect().center() + vec2(140.0, 0.0));
     harness.run();
     let read = "Lambertian reflection 2:  θ";

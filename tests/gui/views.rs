@@ -127,7 +127,7 @@ fn the_held_direction_is_dragged_on_the_hemisphere() {
     let disc = canvas(&harness, "Gold");
     drag(
         &mut harness,
-        "Held direction in the hemisphere",
+        "Light in the hemisphere",
         disc.center() + vec2(0.0, 0.2 * disc.height()),
     );
     let session = &harness.state().session;

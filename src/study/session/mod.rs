@@ -12,6 +12,7 @@ use bxdf_lab::analysis::{Channel, Hold};
 
 pub mod camera;
 mod data;
+mod directions;
 mod entry;
 mod file;
 mod four_kinds;
@@ -29,6 +30,7 @@ mod text;
 mod ties;
 
 pub use camera::{HomeView, OrbitCamera};
+pub use directions::Direction;
 pub use entry::{EntryId, MaterialEntry, PaletteIndex};
 pub use file::{Read, VERSION};
 pub use instances::{MAX_VIEWS, Views};
@@ -95,6 +97,9 @@ pub struct Session {
     pub theta_deg: f64,
     /// Azimuth of the held direction from s, in degrees, -180..180.
     pub phi_deg: f64,
+    /// The other direction, where it was put; else it follows the held one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other: Option<Direction>,
     /// By how much the surface is turned about n, in degrees, -180..180.
     pub rotation_deg: f64,
     /// Azimuth of the section that views share, in degrees; the plane of incidence if absent.
@@ -125,6 +130,7 @@ impl Default for Session {
             hold: Hold::Light,
             theta_deg: 50.0,
             phi_deg: 180.0,
+            other: None,
             rotation_deg: 0.0,
             section_phi_deg: None,
             curves: Curves::Luminance,
@@ -151,22 +157,6 @@ impl Session {
     #[must_use]
     pub fn material(&self) -> &Material {
         &self.materials.selected().material
-    }
-
-    /// The held direction, a unit vector.
-    #[must_use]
-    pub fn held(&self) -> DVec3 {
-        frame::direction_from_degrees(self.theta_deg, self.phi_deg)
-    }
-
-    /// Holds the direction nearest to `w` in tenths of a degree.
-    pub fn set_held(&mut self, w: DVec3) {
-        let tenth = |angle: f64| (angle.to_degrees() * 10.0).round() / 10.0;
-        self.set_theta_deg(tenth(frame::theta(w)));
-        // Along n the azimuth is of no effect: the old one stays, so that the plots do not jump.
-        if w.x.hypot(w.y) > 1e-3 {
-            PHI.put(&mut self.phi_deg, tenth(frame::phi(w)));
-        }
     }
 
     /// Holds a direction at this polar angle, in degrees, or at the nearest one that is of use.

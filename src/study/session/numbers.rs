@@ -14,6 +14,10 @@ pub(crate) const fn azimuth(name: &'static str) -> NumberSpec {
 pub static THETA: NumberSpec = NumberSpec::new("theta_deg", [0.0, 180.0]).unit("degrees");
 /// The azimuth of the held direction.
 pub static PHI: NumberSpec = azimuth("phi_deg");
+/// The polar angle of the other direction, as files have it.
+static OTHER_THETA: NumberSpec = NumberSpec::new("other.theta_deg", [0.0, 180.0]).unit("degrees");
+/// The azimuth of the other direction, as files have it.
+static OTHER_PHI: NumberSpec = azimuth("other.phi_deg");
 /// The turn of the surface.
 pub static ROTATION: NumberSpec = azimuth("rotation_deg");
 /// The azimuth of the section, a plane: the same after half a turn.
@@ -31,6 +35,10 @@ impl Session {
             (&PHI, &mut self.phi_deg),
             (&ROTATION, &mut self.rotation_deg),
         ];
+        if let Some(other) = &mut self.other {
+            all.push((&OTHER_THETA, &mut other.theta_deg));
+            all.push((&OTHER_PHI, &mut other.phi_deg));
+        }
         all.extend(self.section_phi_deg.as_mut().map(|phi| (&SECTION_PHI, phi)));
         all
     }
@@ -59,13 +67,17 @@ mod tests {
     use toml::Value;
 
     use super::*;
-    use crate::session::Place;
+    use crate::session::{Direction, Place};
     use crate::views::{Options, OwnSection, VIEWS, cartesian, sphere};
 
     /// A session in whose file every number stands: every kind of view is open, with a section of its own where it has one.
     fn full() -> Session {
         let mut session = Session {
             section_phi_deg: Some(30.0),
+            other: Some(Direction {
+                theta_deg: 20.0,
+                phi_deg: 30.0,
+            }),
             ..Session::default()
         };
         let options = VIEWS.iter().map(|kind| {
@@ -128,6 +140,7 @@ mod tests {
             "layout.column.2.place.view.fixed_deg",
             "layout.column.0.place.view.own_section_deg",
             "camera.yaw",
+            "other.theta_deg",
             "section_phi_deg",
             "layout.column.0.place.view.scale.locked_at",
             "layout.column.1.place.view.scale.lengths.logarithmic.decades",

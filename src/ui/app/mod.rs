@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex};
 
-use egui::{Context, Vec2};
+use egui::{Context, Pos2, Rect};
 
 use super::pacing::Pacing;
 use super::scene3d;
@@ -88,8 +88,8 @@ pub struct App {
     pub(super) first_steps: Option<FirstSteps>,
     /// While the views are presented: how much the window was enlarged before.
     pub(super) zoom_before: Option<f32>,
-    /// The size of the room that views had in the last frame.
-    pub(super) room_of_views: Vec2,
+    /// The room that views had in the last frame.
+    pub(super) room_of_views: Rect,
 }
 
 impl App {
@@ -138,7 +138,7 @@ impl App {
             tiles: None,
             first_steps: None,
             zoom_before: None,
-            room_of_views: theme::WINDOW_SIZE,
+            room_of_views: Rect::from_min_size(Pos2::ZERO, theme::WINDOW_SIZE),
         }
     }
 

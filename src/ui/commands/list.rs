@@ -161,10 +161,10 @@ pub static HOLD: Command = Command {
         ],
         &[key(PLAIN, Key::H)],
         |app, _| {
-            app.session.hold = match app.session.hold {
+            app.session.set_hold(match app.session.hold {
                 Hold::Light => Hold::Viewer,
                 Hold::Viewer => Hold::Light,
-            };
+            });
         },
     )
 };

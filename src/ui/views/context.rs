@@ -32,7 +32,7 @@ pub struct ViewContext<'a, O = ()> {
     pub answers: &'a mut Answers,
     /// What the views keep between frames.
     pub state: &'a mut ViewState,
-    /// The direction last pointed at, which every view shows; set by the view that has the pointer.
+    /// The direction pointed at, which every view shows; set by the view that has the pointer.
     pub cursor: &'a mut Option<Cursor>,
     /// The colours.
     pub palette: &'a Palette,
@@ -78,29 +78,71 @@ impl<O> ViewContext<'_, O> {
         }
     }
 
-    /// The pair of directions that the pointer was at last, wo and wi; the mirror direction before it was anywhere.
+    /// The pair of directions pointed at, wo and wi; that of the session while nobody points.
     pub(super) fn pair(&self) -> (DVec3, DVec3) {
         let held = self.session.held();
-        let mirror = DVec3::new(-held.x, -held.y, held.z);
-        let free = self.cursor.map_or(mirror, |cursor| cursor.direction);
+        let pointed = self.cursor.map(|cursor| cursor.direction);
+        let free = pointed.unwrap_or_else(|| self.session.other());
         match self.session.hold {
             Hold::Light => (free, held),
             Hold::Viewer => (held, free),
         }
     }
 
-    /// Holds one direction of this pair, and points at the other.
+    /// Holds one direction of this pair, and puts the other one.
     pub(super) fn hold_pair(&mut self, wo: DVec3, wi: DVec3) {
         let (held, free) = match self.session.hold {
             Hold::Light => (wi, wo),
             Hold::Viewer => (wo, wi),
         };
         self.session.set_held(held);
-        *self.cursor = Some(Cursor {
-            material: self.session.materials.selected().id(),
-            direction: free,
-        });
+        self.session.put_other(free);
     }
+
+    /// The light and the viewer with the name of each at the screen, its colour, and whether it is held. The held one comes
+    /// last, and so lies over the other.
+    pub(super) fn directions(&self) -> [Named; 2] {
+        let (session, palette) = (&*self.session, self.palette);
+        let other = match session.hold {
+            Hold::Light => Hold::Viewer,
+            Hold::Viewer => Hold::Light,
+        };
+        let named = |direction, name, of, is_held| Named {
+            direction,
+            name,
+            color: palette.held(of),
+            of,
+            is_held,
+        };
+        [
+            named(session.other(), session.free_name(), other, false),
+            named(session.held(), session.held_name(), session.hold, true),
+        ]
+    }
+
+    /// Puts the light or the viewer at the direction `w`.
+    pub(super) fn put(&mut self, of: Hold, w: DVec3) {
+        if of == self.session.hold {
+            self.session.set_held(w);
+        } else {
+            self.session.set_other(w);
+        }
+    }
+}
+
+/// The light or the viewer, as views show it.
+#[derive(Clone, Copy)]
+pub(super) struct Named {
+    /// Where it is, a unit vector.
+    pub(super) direction: DVec3,
+    /// Its name at the screen.
+    pub(super) name: &'static str,
+    /// Its colour.
+    pub(super) color: egui::Color32,
+    /// Which of the two it is.
+    pub(super) of: Hold,
+    /// Whether the lobe is over the other one.
+    pub(super) is_held: bool,
 }
 
 /// The directions of the section that have names.

@@ -101,10 +101,12 @@ pub const HELD: [(Hold, &str, &str); 2] = [
 /// Which direction is fixed.
 pub fn fixed(ui: &mut Ui, session: &mut Session) {
     ui.label(FIXED);
+    let mut chosen = session.hold;
     for (hold, name, hint) in HELD {
-        ui.selectable_value(&mut session.hold, hold, name)
+        ui.selectable_value(&mut chosen, hold, name)
             .on_hover_text(hint);
     }
+    session.set_hold(chosen);
 }
 
 /// What the lobe shows, in words.

@@ -103,13 +103,18 @@ pub fn line(painter: &Painter, ends: [Pos2; 2], stroke: impl Into<Stroke>, dash:
     }
 }
 
-/// The direction pointed at in another view: a thin line from the centre with a ring at its end.
+/// The direction pointed at in another view: a thin line from the centre with a cross at its end.
 pub fn cursor_mark(painter: &Painter, ends: [Pos2; 2], dash: Dash, palette: &Palette) {
-    const RING: f32 = 5.0;
-    let [foot, tip] = ends;
-    let before_ring = tip + (foot - tip).normalized() * RING;
-    line(painter, [foot, before_ring], (1.0, palette.ink), dash);
-    painter.circle_stroke(tip, RING, (1.5, palette.ink));
+    line(painter, ends, (0.8, palette.faint_ink), dash);
+    cross(painter, ends[1], palette);
+}
+
+/// The place of the direction pointed at in another view: a cross, which nobody takes for a handle.
+pub fn cross(painter: &Painter, at: Pos2, palette: &Palette) {
+    const ARM: f32 = 4.5;
+    for arm in [vec2(ARM, ARM), vec2(ARM, -ARM)] {
+        painter.line_segment([at - arm, at + arm], (1.2, palette.faint_ink));
+    }
 }
 
 /// A mark of a chart, as large as `rect`.

@@ -60,13 +60,14 @@ pub(super) fn draw_grid(ui: &Ui, projection: Projection, rect: Rect, palette: &P
     );
 }
 
-/// The mirror direction and the held one, where they are on the side shown.
+/// The mirror direction, light and viewer, those on the other side as they would be seen through the surface.
 pub(super) fn draw_directions(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect) {
     let (session, palette) = (&*cx.session, cx.palette);
     let painter = ui.painter();
     let held = session.held();
     let mirror = DVec3::new(-held.x, -held.y, held.z);
-    for (w, color) in [(mirror, palette.mirror), (held, palette.held(session.hold))] {
+    let directions = cx.directions().map(|one| (one.direction, one.color));
+    for (w, color) in [(mirror, palette.mirror)].into_iter().chain(directions) {
         let place = cx.options.projection.place(w);
         let at = pictures::position_of(rect, mirrored(place));
         if (w.z > 0.0) == cx.options.is_lower {
@@ -109,10 +110,11 @@ pub(super) fn draw_deltas(
     };
     let painter = ui.painter_at(rect.expand(LABELS));
     let color = cx.palette.material(found.slot());
-    let held = session.held();
     let mut taken = Vec::new();
-    if (held.z > 0.0) != options.is_lower {
-        taken.push(handle::room(position(rect, held, options.projection)));
+    for w in [session.held(), session.other()] {
+        if (w.z > 0.0) != options.is_lower {
+            taken.push(handle::room(position(rect, w, options.projection)));
+        }
     }
     for value in &map.deltas {
         let is_on_side = (value.direction.z > 0.0) != options.is_lower;

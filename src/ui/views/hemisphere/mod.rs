@@ -9,7 +9,7 @@ use super::settings;
 use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::widgets::{choice, deltas, draw, handle};
 use bxdf_lab::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
-use bxdf_lab::analysis::{Channel, HeldLobe, Subject};
+use bxdf_lab::analysis::{Channel, HeldLobe, Hold, Subject};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
@@ -68,7 +68,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
     // Above all pictures: its grip may reach into the next one.
     if let Some(picture) = first {
-        drag_held(ui, cx, picture);
+        drag_directions(ui, cx, picture);
     }
     ui.advance_cursor_after_rect(room);
 }
@@ -250,24 +250,28 @@ fn draw_contours(
     }
 }
 
-/// The handle of the held direction.
-fn drag_held(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
+/// The handles of light and viewer, where they are on the side shown.
+fn drag_directions(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
     let options = *cx.options;
-    let held = cx.session.held();
-    if (held.z > 0.0) == options.is_lower {
-        return;
-    }
-    let at = pictures::position_of(rect, mirrored(options.projection.place(held)));
-    let (color, id) = (cx.palette.held(cx.session.hold), ui.scope_id().with("held"));
-    let named = (id, "Held direction in the hemisphere", ui.clip_rect());
-    let handle = handle::show(ui, at, named, color, cx.palette);
-    if let Some(place) = handle.dragged_to() {
-        let [x, y] = pictures::share_of(rect, place).map(|share| 2.0 * share - 1.0);
-        let reach = x.hypot(-y).max(1.0);
-        let place = [x / reach, -y / reach];
-        if let Some(w) = options.projection.direction(place, !options.is_lower) {
-            cx.session.set_held(w);
-            ui.ctx().request_repaint();
+    for one in cx.directions() {
+        if (one.direction.z > 0.0) == options.is_lower {
+            continue;
+        }
+        let at = pictures::position_of(rect, mirrored(options.projection.place(one.direction)));
+        let name = match one.of {
+            Hold::Light => "Light in the hemisphere",
+            Hold::Viewer => "Viewer in the hemisphere",
+        };
+        let named = (ui.scope_id().with(name), name, ui.clip_rect());
+        let handle = handle::show(ui, at, named, one.color, cx.palette);
+        if let Some(place) = handle.dragged_to() {
+            let [x, y] = pictures::share_of(rect, place).map(|share| 2.0 * share - 1.0);
+            let reach = x.hypot(-y).max(1.0);
+            let place = [x / reach, -y / reach];
+            if let Some(w) = options.projection.direction(place, !options.is_lower) {
+                cx.put(one.of, w);
+                ui.ctx().request_repaint();
+            }
         }
     }
 }
@@ -287,7 +291,7 @@ fn point(
         {
             let place = options.projection.place(cursor.direction);
             let at = pictures::position_of(rect, mirrored(place));
-            ui.painter().circle_stroke(at, 5.0, (1.5, cx.palette.ink));
+            draw::cross(ui.painter(), at, cx.palette);
         }
         return;
     };

@@ -1,10 +1,10 @@
-//! The held direction: a small sun, or the eye of the viewer, on the dome, which is dragged.
+//! Light and viewer: a small sun and an eye on the dome, which are dragged.
 
 use std::f32::consts::TAU;
 
 use egui::{Painter, Pos2, Rect, Ui, Vec2, vec2};
 
-use super::super::context::ViewContext;
+use super::super::context::{Named, ViewContext};
 use crate::scene3d::Projection as _;
 use crate::theme::{HANDLE_RADIUS, Palette};
 use crate::widgets::handle;
@@ -25,33 +25,49 @@ const HALO: f32 = 2.0;
 /// Steps of a lid of the eye.
 const LID_STEPS: u8 = 12;
 
-/// What the held direction covers where its tip is at `tip`: no label stands there.
+/// What the light or the viewer covers where its tip is at `tip`: no label stands there.
 pub(super) fn room(tip: Pos2) -> Rect {
     handle::room(tip).expand(RAY[1])
 }
 
-/// The handle of the held direction on the dome. Returns whether it is being dragged.
+/// The handles of light and viewer on the dome. Returns whether one is being dragged.
 pub(super) fn drag(
     ui: &Ui,
     cx: &mut ViewContext<'_, Options>,
     rect: Rect,
     camera: &OrbitCamera,
 ) -> bool {
-    let Some(tip) = camera.project(cx.session.held().as_vec3(), rect) else {
+    let dragged = cx
+        .directions()
+        .map(|one| drag_one(ui, cx, (rect, camera), &one));
+    dragged.contains(&true)
+}
+
+fn drag_one(
+    ui: &Ui,
+    cx: &mut ViewContext<'_, Options>,
+    (rect, camera): (Rect, &OrbitCamera),
+    one: &Named,
+) -> bool {
+    let Some(tip) = camera.project(one.direction.as_vec3(), rect) else {
         return false;
     };
     let painter = ui.painter_at(rect);
-    match cx.session.hold {
-        Hold::Light => sun(&painter, tip, cx.palette),
-        Hold::Viewer => eye(&painter, tip, cx.palette),
-    }
-    let color = cx.palette.held(cx.session.hold);
-    let name = "Held direction in the 3D lobe";
-    let named = (ui.scope_id().with("held"), name, rect);
-    let handle = handle::show(ui, tip, named, color, cx.palette);
+    let name = match one.of {
+        Hold::Light => {
+            sun(&painter, tip, cx.palette);
+            "Light in the 3D lobe"
+        }
+        Hold::Viewer => {
+            eye(&painter, tip, cx.palette);
+            "Viewer in the 3D lobe"
+        }
+    };
+    let named = (ui.scope_id().with(name), name, rect);
+    let handle = handle::show(ui, tip, named, one.color, cx.palette);
     if let Some(place) = handle.dragged_to() {
         let w = camera.ray(place, rect).drag_on_sphere(1.0);
-        cx.session.set_held(w.as_dvec3());
+        cx.put(one.of, w.as_dvec3());
         ui.ctx().request_repaint();
     }
     handle.is_dragged()

@@ -116,9 +116,11 @@ fn show_scene(
     if is_moved(cx) {
         labels.keep_off(covered);
     }
-    let tip = camera.project(cx.session.held().as_vec3(), rect);
-    if let Some(tip) = tip {
-        labels.keep_off(held::room(tip));
+    let directions = cx.directions();
+    for one in &directions {
+        if let Some(tip) = camera.project(one.direction.as_vec3(), rect) {
+            labels.keep_off(held::room(tip));
+        }
     }
     let sketch = Sketch {
         ui,
@@ -127,7 +129,7 @@ fn show_scene(
         palette: cx.palette,
         labels: RefCell::new(labels),
     };
-    sketch.draw(cx.session, &drawing);
+    sketch.draw(cx.session, &directions, &drawing);
     offer_peaks(ui, cx, &drawing.lobes, rect);
     if held::drag(ui, cx, rect, &camera) {
         cx.state.keep_arrangement(has_lower);

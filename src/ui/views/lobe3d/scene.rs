@@ -214,16 +214,17 @@ fn add_axes(scene: &mut Scene, palette: &Palette) {
 fn add_directions(scene: &mut Scene, session: &Session, lobes: &Lobes, palette: &Palette) {
     let held = session.held();
     let mirror = DVec3::new(-held.x, -held.y, held.z);
-    let (held, color) = (held.as_vec3(), rgba(palette.held(session.hold), 255));
-    match session.hold {
-        Hold::Light => {
-            scene.add_dashed(held, Vec3::ZERO, color, 2.0);
-            for head in HEADS {
-                scene.add_arrow(held * (head + HEAD_SHAFT), held * head, color, 2.0);
-            }
-        }
-        Hold::Viewer => scene.add_arrow(Vec3::ZERO, held, color, 2.0),
+    let (light, viewer) = match session.hold {
+        Hold::Light => (held, session.other()),
+        Hold::Viewer => (session.other(), held),
+    };
+    let (light, color) = (light.as_vec3(), rgba(palette.light, 255));
+    scene.add_dashed(light, Vec3::ZERO, color, 2.0);
+    for head in HEADS {
+        scene.add_arrow(light * (head + HEAD_SHAFT), light * head, color, 2.0);
     }
+    let color = rgba(palette.viewer, 255);
+    scene.add_arrow(Vec3::ZERO, viewer.as_vec3(), color, 2.0);
     let (mirror, color) = (mirror.as_vec3(), rgba(palette.mirror, 255));
     scene.add_dashed(Vec3::ZERO, mirror * 0.9, color, 1.5);
     scene.add_arrow(mirror * 0.9, mirror, color, 1.5);

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Ui, Vec2, vec2};
 use glam::Vec3;
 
+use super::super::context::Named;
 use super::isolines::Isoline;
 use super::scene::Drawing;
 use super::sizes::{ARC_RADIUS, AXIS_LENGTH, FLAT};
@@ -46,13 +47,16 @@ pub(super) struct Sketch<'a> {
 
 impl Sketch<'_> {
     /// Everything, what is worth most first: what comes later stands where there is room.
-    pub(super) fn draw(&self, session: &Session, drawing: &Drawing) {
+    pub(super) fn draw(&self, session: &Session, directions: &[Named], drawing: &Drawing) {
         let lobes = &drawing.lobes;
         self.scale(lobes, session);
         if session.show_geometry {
             self.trigonometry(session);
         }
-        self.name_held(session);
+        for one in directions.iter().rev() {
+            let place = one.direction.as_vec3() * 1.1;
+            self.name(place, one.name, one.color, Reach::Far);
+        }
         self.name_deltas(lobes);
         if session.show_geometry {
             self.label_geometry(session);
@@ -104,21 +108,13 @@ impl Sketch<'_> {
         galley.size()
     }
 
-    fn name_held(&self, session: &Session) {
-        let color = self.palette.held(session.hold);
-        self.name(
-            session.held().as_vec3() * 1.1,
-            session.held_name(),
-            color,
-            Reach::Far,
-        );
-    }
-
     fn name_mirror(&self, session: &Session) {
         let held = session.held().as_vec3();
         let mirror = Vec3::new(-held.x, -held.y, held.z);
-        // Near n the two names would overlap, and the held direction is its own mirror direction.
-        if held.distance(mirror) > NAME_SPACING {
+        let other = session.other().as_vec3();
+        // Near n the names would overlap, where the held direction is its own mirror direction; and where the other direction
+        // is, it has that name.
+        if held.distance(mirror) > NAME_SPACING && other.distance(mirror) > NAME_SPACING {
             self.name(mirror * 1.02, "mirror", self.palette.mirror, Reach::Near);
         }
     }

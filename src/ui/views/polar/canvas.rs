@@ -6,12 +6,13 @@ use std::sync::Arc;
 use egui::{Align2, Color32, Pos2, Rect, Stroke, Ui, vec2};
 use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
+use super::super::context::Named;
 use super::radial::{Radial, Rings, at};
 use crate::theme;
 use crate::theme::Dash;
-use crate::widgets::{chart, deltas, draw};
-use bxdf_lab::analysis::Channel;
+use crate::widgets::{chart, deltas as arrows, draw};
 use bxdf_lab::analysis::polar::{self, Point};
+use bxdf_lab::analysis::{Channel, deltas};
 use bxdf_study::format;
 use bxdf_study::session::{Curves, EntryId, PaletteIndex, Section, Session};
 
@@ -105,44 +106,70 @@ pub(super) fn draw_curves(
     }
 }
 
-/// The directions that are named, by importance: the held one, the mirror direction and n, with angle and colour.
+/// A direction that is named.
+struct Way {
+    name: &'static str,
+    angle: f64,
+    color: Color32,
+    /// Whether it lies in the section.
+    is_inside: bool,
+}
+
+/// The directions that are named, by importance: light and viewer, the mirror direction and n.
 fn named_directions(
     session: &Session,
+    directions: &[Named],
     section: Section,
     palette: &theme::Palette,
-) -> [(&'static str, f64, Color32); 3] {
-    let held = polar::signed_angle(session.held(), section.phi());
-    [
-        (session.held_name(), held, palette.held(session.hold)),
-        ("mirror", -held, palette.mirror),
-        ("n", 0.0, palette.ink),
-    ]
+) -> Vec<Way> {
+    let azimuth = section.phi();
+    let way = |one: &Named| Way {
+        name: one.name,
+        angle: polar::signed_angle(one.direction, azimuth),
+        color: one.color,
+        is_inside: if one.is_held {
+            section.holds_held
+        } else {
+            deltas::is_in_section(one.direction, azimuth)
+        },
+    };
+    let mut ways: Vec<Way> = directions.iter().rev().map(way).collect();
+    let held = polar::signed_angle(session.held(), azimuth);
+    for (name, angle, color) in [("mirror", -held, palette.mirror), ("n", 0.0, palette.ink)] {
+        ways.push(Way {
+            name,
+            angle,
+            color,
+            is_inside: true,
+        });
+    }
+    ways
 }
 
 pub(super) fn draw_directions(
     plot_ui: &mut PlotUi<'_>,
     session: &Session,
+    directions: &[Named],
     section: Section,
     palette: &theme::Palette,
 ) {
     plot_ui.line(line([[0.0, 0.0], [0.0, 1.0]], (1.5, palette.ink)));
-    for (name, angle, color) in named_directions(session, section, palette) {
-        let is_mirror = name == "mirror";
-        // Outside the section the directions are shown at their theta, but faintly: they do not lie in it.
-        let style = if is_mirror || !section.holds_held {
+    // The most important one lies over the others.
+    for way in named_directions(session, directions, section, palette)
+        .iter()
+        .rev()
+        .filter(|way| way.name != "n")
+    {
+        let is_mirror = way.name == "mirror";
+        // Outside the section directions are shown at their theta, but faintly: they do not lie in it.
+        let style = if is_mirror || !way.is_inside {
             LineStyle::dashed_dense()
         } else {
             LineStyle::Solid
         };
-        if name != "n" {
-            plot_ui.line(
-                line(
-                    [[0.0, 0.0], at(1.0, angle)],
-                    (if is_mirror { 1.5 } else { 2.0 }, color),
-                )
-                .style(style),
-            );
-        }
+        let width = if is_mirror { 1.5 } else { 2.0 };
+        let ends = [[0.0, 0.0], at(1.0, way.angle)];
+        plot_ui.line(line(ends, (width, way.color)).style(style));
     }
 }
 
@@ -241,12 +268,16 @@ impl Canvas<'_> {
     pub(super) fn name_directions(
         &self,
         session: &Session,
+        directions: &[Named],
         section: Section,
         palette: &theme::Palette,
     ) {
         let painter = self.painter();
         let mut taken: Vec<f64> = Vec::new();
-        for (name, angle, color) in named_directions(session, section, palette) {
+        for way in named_directions(session, directions, section, palette) {
+            let Way {
+                name, angle, color, ..
+            } = way;
             // Where directions fall together, the first named stands for all.
             if taken
                 .iter()
@@ -335,7 +366,7 @@ impl Canvas<'_> {
             } else {
                 Dash::Dashed
             };
-            deltas::stem(&painter, ends, color, dash);
+            arrows::stem(&painter, ends, color, dash);
             // Beside a long arrow, beyond the tip of a short one: either way clear of the horizon's numbers.
             let place = if share > 0.4 {
                 self.position(0.45 * share, angle)
@@ -348,9 +379,9 @@ impl Canvas<'_> {
             } else {
                 Align2::RIGHT_CENTER
             };
-            let text = deltas::label(share);
+            let text = arrows::label(share);
             let place = (place + outwards, anchor);
-            deltas::write(self.ui, &painter, taken, place, &text, (color, palette));
+            arrows::write(self.ui, &painter, taken, place, &text, (color, palette));
         }
     }
 }

@@ -3,12 +3,12 @@
 use egui::{IdSalt, Rect, Ui, UiBuilder, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
-use super::context::ViewContext;
+use super::context::{Named, ViewContext};
 use super::{kept_scale, settings};
 use crate::theme::Dash;
 use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{draw, handle, pictures, reset};
-use bxdf_lab::analysis::{RadialScale, deltas, polar};
+use bxdf_lab::analysis::{Hold, RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{MaterialEntry, wrapped_deg};
 use bxdf_study::views::Arrangement;
@@ -167,6 +167,7 @@ fn show_plot(
         .default_y_bounds(window.min()[1], window.max()[1])
         .label_formatter(|_| None);
     let (palette, section) = (*cx.palette, cx.options.own_section_deg.of(cx.session));
+    let directions = cx.directions();
     let response = plot.show(ui, |plot_ui| {
         if is_new {
             // The window follows the room until it is panned or zoomed; what is panned stays so in any room.
@@ -177,7 +178,7 @@ fn show_plot(
         for one in plotted {
             canvas::draw_curves(plot_ui, cx.session, one, &palette);
         }
-        canvas::draw_directions(plot_ui, cx.session, section, &palette);
+        canvas::draw_directions(plot_ui, cx.session, &directions, section, &palette);
     });
     let canvas = Canvas {
         ui,
@@ -189,7 +190,7 @@ fn show_plot(
         canvas.fill(cx.session, one, &palette);
     }
     canvas.label_grid(&rings, &palette, has_lower);
-    canvas.name_directions(cx.session, section, &palette);
+    canvas.name_directions(cx.session, &directions, section, &palette);
     canvas.name_curves(cx.session, &palette);
     let mut taken = Vec::new();
     for one in plotted {
@@ -200,7 +201,7 @@ fn show_plot(
     }
     let transform = response.transform;
 
-    if drag_held(ui, cx, &transform) {
+    if drag_directions(ui, cx, &transform) {
         cx.state.keep_arrangement(has_lower);
     } else {
         read_out(ui, cx, &response.response, &transform, plotted, has_lower);
@@ -305,22 +306,35 @@ fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
     )
 }
 
-/// The handle of the held direction. Returns whether it is being dragged.
-fn drag_held(ui: &Ui, cx: &mut ViewContext<'_, Options>, transform: &PlotTransform) -> bool {
+/// The handles of light and viewer. Returns whether one is being dragged.
+fn drag_directions(ui: &Ui, cx: &mut ViewContext<'_, Options>, transform: &PlotTransform) -> bool {
+    let dragged = cx.directions().map(|one| drag(ui, cx, transform, &one));
+    dragged.contains(&true)
+}
+
+/// The handle of one of them. Returns whether it is being dragged.
+fn drag(
+    ui: &Ui,
+    cx: &mut ViewContext<'_, Options>,
+    transform: &PlotTransform,
+    one: &Named,
+) -> bool {
     let section = cx.options.own_section_deg.of(cx.session);
     let azimuth = section.phi();
-    let angle = polar::signed_angle(cx.session.held(), azimuth);
+    let angle = polar::signed_angle(one.direction, azimuth);
     let [x, y] = at(1.0, angle);
     let tip = transform.position_from_point(&PlotPoint::new(x, y));
-    let name = "Held direction in the polar plot";
-    let named = (ui.scope_id().with("held"), name, *transform.frame());
-    let color = cx.palette.held(cx.session.hold);
-    let handle = handle::show(ui, tip, named, color, cx.palette);
+    let name = match one.of {
+        Hold::Light => "Light in the polar plot",
+        Hold::Viewer => "Viewer in the polar plot",
+    };
+    let named = (ui.scope_id().with(name), name, *transform.frame());
+    let handle = handle::show(ui, tip, named, one.color, cx.palette);
     if let Some(place) = handle.dragged_to() {
         let place = transform.value_from_position(place);
         let dragged_to = place.x.atan2(place.y);
-        if section.holds_held {
-            cx.session.set_held(polar::direction(dragged_to, azimuth));
+        if !one.is_held || section.holds_held {
+            cx.put(one.of, polar::direction(dragged_to, azimuth));
         } else {
             // Outside the section only theta is the pointer's, and the side of n on which it is drawn.
             let theta_deg = (dragged_to.abs().to_degrees() * 10.0).round() / 10.0;
