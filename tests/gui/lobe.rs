@@ -67,8 +67,10 @@ fn labels_keep_off_the_handle_and_one_another() {
                     assert!(covered.iter().any(|(text, _)| text == "light"), "{what}");
                     for (index, (text, rect)) in covered.iter().enumerate() {
                         for (other, at) in &covered[..index] {
+                            // Light and viewer may be in one place.
+                            let are_handles = text == "handle" && other == "handle";
                             assert!(
-                                !rect.intersects(*at),
+                                are_handles || !rect.intersects(*at),
                                 "{what}: {text} {rect} over {other} {at}"
                             );
                         }

@@ -30,6 +30,7 @@ mod numbers;
 mod overlay;
 mod picker;
 mod render;
+mod scales;
 mod screenshots;
 mod sessions;
 mod tables;

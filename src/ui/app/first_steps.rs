@@ -1,66 +1,16 @@
-//! The first steps: captions over the views, each of which goes on once its step is done.
+//! The first steps in the window: begun at the first start, left for good, and brought back.
 
-use egui::{Align2, Area, Context, Frame, Id, Order, Rect, vec2};
+use egui::{Context, Rect};
 
 use super::App;
-use bxdf::material::library;
-use bxdf_study::session::Session;
-
-/// A step: what to do and to see, and when it is done.
-struct Step {
-    text: &'static str,
-    /// Whether the session shows that it is done; the other one is that of its beginning.
-    is_done: fn(&Session, &Session) -> bool,
-}
-
-/// The steps: the light first, then one material of each category.
-static STEPS: [Step; 5] = [
-    Step {
-        text: "Drag the round handle of the light: the lobe shows where its light goes",
-        is_done: |now, before| now.held() != before.held(),
-    },
-    Step {
-        text: "Choose chalk on the left: a diffuse surface sends light everywhere",
-        is_done: |now, _| shows(now, "chalk"),
-    },
-    Step {
-        text: "Now brass: a glossy surface sends most of it near the mirror direction",
-        is_done: |now, _| shows(now, "brass"),
-    },
-    Step {
-        text: "Now mirror: a perfect one sends all of it into one direction, an arrow",
-        is_done: |now, _| shows(now, "mirror"),
-    },
-    Step {
-        text: "Now road sign: it sends light back to where it came from",
-        is_done: |now, _| shows(now, "road_sign"),
-    },
-];
-
-/// What is said when all are done.
-const LAST: &str =
-    "These are the four kinds of reflection. \"Four kinds\" at the top shows them side by side";
-
-/// Where somebody is in the steps.
-pub struct FirstSteps {
-    index: usize,
-    before: Session,
-}
-
-/// Whether the selected material is the named one with this id.
-fn shows(session: &Session, id: &str) -> bool {
-    library::find(id).is_ok_and(|named| named.material == *session.material())
-}
+use crate::widgets::first_steps::FirstSteps;
 
 impl App {
     /// Begins the first steps, or leaves them.
     pub fn switch_first_steps(&mut self) {
         self.first_steps = match self.first_steps {
             Some(_) => None,
-            None => Some(FirstSteps {
-                index: 0,
-                before: self.session.clone(),
-            }),
+            None => Some(FirstSteps::begin(&self.session)),
         };
         self.keep_first_steps();
     }
@@ -73,68 +23,10 @@ impl App {
 
     /// The caption of the step that is to be done, over the `views`.
     pub(crate) fn show_first_steps(&mut self, ctx: &Context, views: Rect) {
-        let Some(steps) = &mut self.first_steps else {
-            return;
-        };
-        // A gesture is finished first: a caption that changes under the hand is not read.
-        let is_idle = ctx.dragged_id().is_none();
-        if let Some(step) = STEPS.get(steps.index)
-            && is_idle
-            && (step.is_done)(&self.session, &steps.before)
-        {
-            steps.index += 1;
-            steps.before = self.session.clone();
-        }
-        let step = STEPS.get(steps.index);
-        let text = step.map_or(LAST, |step| step.text);
-        let mut is_left = false;
-        Area::new(Id::unique("first steps"))
-            .order(Order::Foreground)
-            .pivot(Align2::CENTER_BOTTOM)
-            .fixed_pos(views.center_bottom() + vec2(0.0, -44.0))
-            .show(ctx, |ui| {
-                Frame::popup(ui.style()).show(ui, |ui| {
-                    ui.horizontal(|ui| {
-                        if step.is_some() {
-                            ui.weak(format!("{} of {}", steps.index + 1, STEPS.len()));
-                        }
-                        ui.label(text);
-                        let word = if step.is_some() { "Skip" } else { "Done" };
-                        let hint = "Leave the first steps: Shift+F1, or \"First steps\" in the search, brings them back";
-                        is_left = ui.small_button(word).on_hover_text(hint).clicked();
-                    });
-                });
-            });
-        if is_left {
+        let session = &self.session;
+        let steps = self.first_steps.as_mut();
+        if steps.is_some_and(|steps| steps.show(ctx, views, session)) {
             self.switch_first_steps();
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_step_is_done_by_what_it_says() {
-        let mut session = Session::default();
-        let before = session.clone();
-        assert!(STEPS.iter().all(|step| !(step.is_done)(&session, &before)));
-        session.set_theta_deg(20.0);
-        assert!((STEPS[0].is_done)(&session, &before));
-        for (step, id) in STEPS
-            .iter()
-            .skip(1)
-            .zip(["chalk", "brass", "mirror", "road_sign"])
-        {
-            let named = library::find(id).unwrap();
-            session
-                .materials
-                .selected_mut()
-                .replace(named.material.clone());
-            assert!((step.is_done)(&session, &before), "{id}");
-            let name = named.material.name.to_lowercase();
-            assert!(step.text.contains(&name), "{} names {name}", step.text);
         }
     }
 }

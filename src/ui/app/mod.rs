@@ -12,6 +12,7 @@ use super::theme::{self};
 use super::tiles::ViewTiles;
 use super::views::ViewState;
 use super::widgets::components::Components;
+use super::widgets::first_steps::FirstSteps;
 use super::widgets::materials::MaterialList;
 use super::widgets::notice::Notice;
 use super::widgets::picker::Picker;
@@ -32,7 +33,6 @@ use bxdf_study::session::{Session, ViewId};
 use bxdf_study::store::Side;
 use exports::Exports;
 use files::Files;
-use first_steps::FirstSteps;
 use readings::Reading;
 
 mod asking;

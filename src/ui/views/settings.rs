@@ -207,10 +207,9 @@ pub(super) fn offer_peaks<O>(
     );
     above.label(RichText::new(text).small());
     let button = above.small_button(ScaleChoice::EachToPeak.title());
-    if button
-        .on_hover_text("Show every lobe in the same size, so that shapes compare")
-        .clicked()
-    {
+    let button = button.on_hover_text("Show every lobe in the same size, so that shapes compare");
+    named(ui, cx, &button, "Small lobes");
+    if button.clicked() {
         scale.choose(ScaleChoice::EachToPeak);
     }
 }

@@ -1,0 +1,192 @@
+//! The scales of the views, lobes side by side, presenting, and the first steps, by accessible labels.
+
+use brdf_explorer::study::session::Session;
+use brdf_explorer::study::views::{Arrangement, ScaleChoice, lobe3d, polar};
+use brdf_explorer::ui::app::App;
+use egui::{Key, Modifiers, Role, Shape, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+use super::files::work_in;
+use super::{Folder, choose, window, window_of};
+
+/// The texts on the screen that begin so.
+fn painted(harness: &Harness<'_, App>, start: &str) -> Vec<String> {
+    fn texts(shape: &Shape, all: &mut Vec<String>) {
+        match shape {
+            Shape::Text(text) => all.push(text.galley.text().to_owned()),
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| texts(shape, all)),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    for clipped in &harness.output().shapes {
+        texts(&clipped.shape, &mut all);
+    }
+    all.retain(|text| text.starts_with(start));
+    all
+}
+
+fn click(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_label(label).click();
+    harness.run();
+}
+
+fn session<'a>(harness: &'a Harness<'_, App>) -> &'a Session {
+    &harness.state().session
+}
+
+#[test]
+fn the_four_kinds_stand_side_by_side_after_one_click() {
+    let mut harness = window("rough_conductor");
+    let before = session(&harness).clone();
+    click(&mut harness, "Four kinds");
+    let lobes = harness.query_all_by_role_and_label(Role::Canvas, "3D lobe");
+    let places: Vec<egui::Rect> = lobes.map(|lobe| lobe.rect()).collect();
+    assert_eq!(places.len(), 4);
+    for (index, place) in places.iter().enumerate() {
+        assert!(place.width() > 150.0 && place.height() > 100.0, "{place:?}");
+        assert!(
+            places[..index]
+                .iter()
+                .all(|other| !other.intersects(*place))
+        );
+    }
+    for view in ["3D lobe", "Polar plot"] {
+        let name = format!("Scale of {view}");
+        let scale = harness.get_by_label(&name);
+        assert_eq!(scale.value().as_deref(), Some("Each to its peak"), "{view}");
+    }
+    // Each has a light to be dragged, and all follow.
+    let lights = harness.query_all_by_label("Light in the 3D lobe");
+    assert_eq!(lights.count(), 4);
+    click(&mut harness, "Undo");
+    assert_eq!(*session(&harness), before);
+}
+
+#[test]
+fn a_scale_holds_during_a_drag_and_goes_over_once_afterwards() {
+    let mut harness = window("gold");
+    let radius = |harness: &Harness<'_, App>| painted(harness, "radius = f");
+    let before = radius(&harness);
+    assert_eq!(before.len(), 1);
+    let from = harness
+        .get_by_label("Light in the polar plot")
+        .rect()
+        .center();
+    harness.hover_at(from);
+    harness.run();
+    harness.drag_at(from);
+    for step in 1..=6 {
+        harness.hover_at(from + vec2(-1.0, 3.0) * step as f32);
+        harness.step();
+        assert_eq!(radius(&harness), before, "in the middle of the drag");
+    }
+    let theta_deg = session(&harness).theta_deg;
+    assert!(theta_deg > 53.0, "towards grazing: {theta_deg}");
+    harness.drop_at(from + vec2(-6.0, 18.0));
+    harness.run();
+    assert_ne!(radius(&harness), before, "let go");
+    assert!(!harness.ctx.has_requested_repaint(), "and at rest");
+}
+
+#[test]
+fn a_locked_scale_stays_whatever_is_shown() {
+    let mut harness = window("gold");
+    let scale = |harness: &Harness<'_, App>| {
+        let plot: polar::Options = session(harness).views.options();
+        plot.scale
+    };
+    click(&mut harness, "Lock the scale of Polar plot");
+    let locked = scale(&harness).locked_at.unwrap();
+    let gold = painted(&harness, "f in 1/sr");
+    harness
+        .state_mut()
+        .session
+        .materials
+        .selected_mut()
+        .replace("lambertian_reflection".parse().unwrap());
+    harness.run();
+    assert_eq!(scale(&harness).locked_at, Some(locked));
+    assert_eq!(painted(&harness, "f in 1/sr"), gold);
+    let lobe: lobe3d::Options = session(&harness).views.options();
+    assert_eq!(lobe.scale.locked_at, None, "each view has its own");
+    let text = session(&harness).to_toml().unwrap();
+    assert_eq!(Session::from_toml(&text, "s").unwrap(), *session(&harness));
+    click(&mut harness, "Lock the scale of Polar plot");
+    assert_eq!(scale(&harness).locked_at, None);
+}
+
+#[test]
+fn a_small_lobe_is_told_of_and_shown_to_its_peak() {
+    let mut harness = window_of(&[
+        "lambertian_reflection",
+        "rough_conductor:alpha_x=0.05,alpha_y=0.05",
+    ]);
+    let offers = || painted(&harness, "Lambertian reflection is ");
+    assert_eq!(offers().len(), 2, "in both views: {:?}", offers());
+    click(&mut harness, "Small lobes of Polar plot");
+    let views = &session(&harness).views;
+    let choices = [
+        views.options::<polar::Options>().scale.choice(),
+        views.options::<lobe3d::Options>().scale.choice(),
+    ];
+    assert!(choices.contains(&ScaleChoice::EachToPeak) && choices.contains(&ScaleChoice::Same));
+    assert_eq!(painted(&harness, "Lambertian reflection is ").len(), 1);
+    // On its own scale it is as long as the other one.
+    choose(&mut harness, "Scale of 3D lobe", "Each to its peak");
+    assert_eq!(painted(&harness, "radius = f over its peak").len(), 1);
+    choose(&mut harness, "Arrangement of 3D lobe", "Side by side");
+    let lobe: lobe3d::Options = session(&harness).views.options();
+    assert_eq!(lobe.arrangement, Arrangement::SideBySide);
+    assert_eq!(
+        painted(&harness, "radius = f").len(),
+        2,
+        "each says its own"
+    );
+}
+
+#[test]
+fn presenting_shows_the_views_alone_and_escape_returns() {
+    let mut harness = window("gold");
+    let zoom = harness.ctx.zoom_factor();
+    let before = session(&harness).clone();
+    harness.key_press(Key::F5);
+    harness.run();
+    assert!(harness.query_by_label("Your materials").is_none());
+    assert!(harness.query_by_label("Four kinds").is_none());
+    assert!(harness.query_by_label("θ from n").is_some(), "the slim bar");
+    assert!(harness.ctx.zoom_factor() > 1.3 * zoom);
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert_eq!(harness.ctx.zoom_factor(), zoom);
+    assert!(harness.query_by_label("Your materials").is_some());
+    assert_eq!(*session(&harness), before);
+}
+
+#[test]
+fn the_first_steps_go_on_by_doing_and_come_once() {
+    let folder = Folder::new("first-steps");
+    let mut harness = window("gold");
+    assert!(
+        harness.query_by_label("1 of 5").is_none(),
+        "not in pictures"
+    );
+    work_in(&mut harness, &folder);
+    harness.run();
+    assert!(harness.query_by_label("1 of 5").is_some());
+    harness.state_mut().session.set_theta_deg(20.0);
+    harness.run();
+    assert!(harness.query_by_label("2 of 5").is_some());
+    super::pick(&mut harness, "Chalk");
+    assert!(harness.query_by_label("3 of 5").is_some());
+    click(&mut harness, "Skip");
+    assert!(harness.query_by_label_contains(" of 5").is_none());
+    let mut next = window("gold");
+    work_in(&mut next, &folder);
+    next.run();
+    assert!(next.query_by_label_contains(" of 5").is_none());
+    next.key_press_modifiers(Modifiers::SHIFT, Key::F1);
+    next.run();
+    assert!(next.query_by_label("1 of 5").is_some(), "brought back");
+}
