@@ -26,7 +26,7 @@ fn covered(shown: &Session, size: [u32; 2]) -> Vec<(String, Rect)> {
         match shape {
             Shape::Vec(shapes) => shapes.iter().for_each(|shape| each(shape, all)),
             Shape::Text(text) => {
-                all.push((text.galley.text().to_owned(), text.visual_bounding_rect()))
+                all.push((text.galley.text().to_owned(), text.visual_bounding_rect()));
             }
             Shape::Circle(circle) if circle.radius > 6.0 => {
                 all.push(("handle".to_owned(), shape.visual_bounding_rect()));

@@ -87,15 +87,13 @@ impl Session {
             theta_deg: self.theta_deg,
             phi_deg: self.phi_deg,
         };
-        let given = self.other.replace(held);
-        match given {
-            Some(other) => (self.theta_deg, self.phi_deg) = (other.theta_deg, other.phi_deg),
+        if let Some(other) = self.other.replace(held) {
+            (self.theta_deg, self.phi_deg) = (other.theta_deg, other.phi_deg);
+        } else {
             // Each is the mirror direction of the other, before and afterwards.
-            None => {
-                self.other = None;
-                let across = self.other();
-                self.set_held(across);
-            }
+            self.other = None;
+            let across = self.other();
+            self.set_held(across);
         }
     }
 

@@ -14,16 +14,13 @@ impl App {
 
     /// Begins to present, or ends it.
     pub fn switch_presenting(&mut self, ctx: &Context) {
-        match self.zoom_before.take() {
-            Some(before) => {
-                ctx.set_zoom_factor(before);
-                ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
-            }
-            None => {
-                self.zoom_before = Some(ctx.zoom_factor());
-                ctx.send_viewport_cmd(ViewportCommand::Fullscreen(true));
-            }
+        let ends = self.zoom_before.take();
+        if let Some(before) = ends {
+            ctx.set_zoom_factor(before);
+        } else {
+            self.zoom_before = Some(ctx.zoom_factor());
         }
+        ctx.send_viewport_cmd(ViewportCommand::Fullscreen(ends.is_none()));
     }
 
     /// Keeps labels and strokes as large as the screen allows, and ends with Escape.

@@ -53,7 +53,7 @@ pub(super) fn row<O>(
 
 /// Whether a control of the view has the focus.
 fn has_focus(ui: &Ui) -> bool {
-    let focused = ui.memory(|memory| memory.focused());
+    let focused = ui.memory(egui::Memory::focused);
     let response = focused.and_then(|id| ui.ctx().read_response(id));
     response.is_some_and(|response| ui.max_rect().contains(response.rect.center()))
 }

@@ -16,7 +16,7 @@ pub fn theme_menu(ui: &mut Ui) {
         ] {
             let response = ui.selectable_value(&mut preference, choice, name);
             ui.ctx().accesskit_node_builder(response.id, |node| {
-                node.set_label(format!("{name} theme"))
+                node.set_label(format!("{name} theme"));
             });
         }
     });

@@ -5,6 +5,9 @@ use super::{Part, Place};
 /// The least width and height of a place that a view is given, in points: in less, plots have no room for their labels.
 pub const LEAST_PLACE: [f32; 2] = [320.0, 260.0];
 
+/// What makes a place of parts: a row or a column.
+type Join<V> = fn(Vec<Part<V>>) -> Place<V>;
+
 impl<V: Copy + PartialEq> Place<V> {
     /// Puts `view` where there is most room: the largest place is halved along its longer side, or gets another tab where
     /// its halves would be too small. `room`: the width and height of all.
@@ -14,9 +17,9 @@ impl<V: Copy + PartialEq> Place<V> {
         };
         let [least_width, least_height] = LEAST_PLACE;
         let halves = if width >= height {
-            (width >= 2.0 * least_width).then_some(Self::Row as fn(Vec<Part<V>>) -> Self)
+            (width >= 2.0 * least_width).then_some(Self::Row as Join<V>)
         } else {
-            (height >= 2.0 * least_height).then_some(Self::Column as fn(Vec<Part<V>>) -> Self)
+            (height >= 2.0 * least_height).then_some(Self::Column as Join<V>)
         };
         self.split(neighbour, view, halves);
     }
@@ -46,7 +49,7 @@ impl<V: Copy + PartialEq> Place<V> {
     }
 
     /// Puts `view` into the place of `neighbour`, which becomes `halves` of the two, or tabs.
-    fn split(&mut self, neighbour: V, view: V, halves: Option<fn(Vec<Part<V>>) -> Self>) {
+    fn split(&mut self, neighbour: V, view: V, halves: Option<Join<V>>) {
         match self {
             Self::Row(parts) | Self::Column(parts) => {
                 for part in parts {
@@ -66,19 +69,18 @@ impl<V: Copy + PartialEq> Place<V> {
                     },
                 };
             }
-            Self::Tabs { views, active } => match halves {
-                Some(join) => {
+            Self::Tabs { views, active } => {
+                if let Some(join) = halves {
                     let tabs = Self::Tabs {
                         views: std::mem::take(views),
                         active: *active,
                     };
                     *self = join(vec![Part::of(1.0, tabs), Part::of(1.0, Self::View(view))]);
-                }
-                None => {
+                } else {
                     views.push(view);
                     *active = views.len() - 1;
                 }
-            },
+            }
         }
     }
 }
