@@ -188,6 +188,12 @@ fn a_click_on_slice_and_sphere_holds_the_pair_there() {
 fn the_light_of_the_sphere_is_dragged_even_behind_it() {
     let mut harness = alone(session(&["gold"]), "sphere");
     let rect = canvas(&harness, "Sphere of Gold");
+    // The light of all views at first, which stays above the horizon.
+    let right = rect.center() + vec2(0.25 * rect.width(), 0.0);
+    drag(&mut harness, "Light of the sphere", right);
+    let held = &harness.state().session;
+    assert!((held.theta_deg - 31.4).abs() < 2.0 && held.phi_deg.abs() < 1.0);
+    click(&mut harness, "Own light");
     drag(
         &mut harness,
         "Light of the sphere",

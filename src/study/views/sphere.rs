@@ -7,7 +7,8 @@ use super::words::words;
 use crate::answers::Answers;
 use crate::export::table::{Table, shown};
 use crate::number::{NumberSpec, Numbers};
-use crate::session::{Session, azimuth};
+use crate::session::{MaterialEntry, Session, azimuth};
+use bxdf::math::frame;
 use bxdf_lab::analysis::sphere::{Light, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
@@ -46,13 +47,36 @@ words! {
     }
 }
 
+words! {
+    /// How radiance becomes brightness.
+    Curve {
+        /// By a curve that reaches white nowhere: nothing is clipped.
+        #[default]
+        Soft = "Soft",
+        /// In proportion, clipped at white.
+        Linear = "Linear",
+    }
+}
+
+/// The curve of files that say none: there was only one before version 3.
+fn linear() -> Curve {
+    Curve::Linear
+}
+
 /// How the lit sphere is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Options {
     /// What lights it.
     pub light: Light,
-    /// The angle of the light from the viewer's axis, in degrees.
+    /// Whether the light stands where the session's does, and a mirror, which would show one point of it, shows the sky. Files
+    /// that do not say so have a light of the view's own.
+    #[serde(default)]
+    pub is_shared: bool,
+    /// How radiance becomes brightness.
+    #[serde(default = "linear")]
+    pub curve: Curve,
+    /// The angle of the view's own light from the viewer's axis, in degrees.
     pub theta_deg: f64,
     /// Its azimuth, in degrees: 0 to the right, 90 above.
     pub phi_deg: f64,
@@ -66,6 +90,8 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             light: Light::default(),
+            is_shared: true,
+            curve: Curve::default(),
             theta_deg: 45.0,
             phi_deg: 135.0,
             exposure: 0.0,
@@ -75,16 +101,41 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The lit sphere, in a place this many pixels wide.
+    /// Where the light stands: the angle from the viewer's axis, and the azimuth, in degrees.
     #[must_use]
-    pub fn request(&self, pixels: f32) -> Request {
+    pub fn light_at(&self, session: &Session) -> [f64; 2] {
+        if !self.is_shared {
+            return [self.theta_deg, self.phi_deg];
+        }
+        let light = session.light();
+        [frame::theta(light), frame::phi(light)].map(f64::to_degrees)
+    }
+
+    /// Gives the view a light of its own, where it stands now.
+    pub fn keep_light(&mut self, session: &Session) {
+        [self.theta_deg, self.phi_deg] = self.light_at(session);
+        self.is_shared = false;
+    }
+
+    /// The lit sphere of a material, in a place this many pixels wide.
+    #[must_use]
+    pub fn request(&self, session: &Session, entry: &MaterialEntry, pixels: f32) -> Request {
         let [.., largest] = SIZES;
         let fits = |size: &usize| *size as f32 >= pixels;
         Request {
-            light: self.light,
-            direction: [self.theta_deg, self.phi_deg],
+            light: self.light_of(entry),
+            direction: self.light_at(session),
             size: SIZES.into_iter().find(fits).unwrap_or(largest),
         }
+    }
+
+    /// What lights the sphere of a material.
+    fn light_of(&self, entry: &MaterialEntry) -> Light {
+        let is_mirror = entry.material.is_delta_only();
+        if self.is_shared && is_mirror && self.light == Light::Directional {
+            return Light::Sky;
+        }
+        self.light
     }
 }
 
@@ -112,8 +163,8 @@ impl ViewOptions for Options {
             "radiance_b",
             "coverage",
         ]);
-        let request = self.request(f32::INFINITY);
         for (entry, title) in shown(session) {
+            let request = self.request(session, entry, f32::INFINITY);
             let picture = answers.ask(session, entry, request);
             for (index, [r, g, b, coverage]) in picture.pixels.iter().enumerate() {
                 if *coverage > 0.0 {
@@ -140,9 +191,29 @@ mod tests {
 
     #[test]
     fn spheres_are_as_large_as_their_places() {
-        let options = Options::default();
+        let (options, session) = (Options::default(), Session::default());
+        let entry = session.materials.selected();
         for (pixels, size) in [(10.0, 128), (128.0, 128), (129.0, 256), (4000.0, 512)] {
-            assert_eq!(options.request(pixels).size, size);
+            assert_eq!(options.request(&session, entry, pixels).size, size);
         }
+    }
+
+    #[test]
+    fn the_light_is_the_session_s_unless_the_view_has_its_own() {
+        let mut session = Session::of("specular_reflection".parse().unwrap());
+        let request = |options: &Options, session: &Session| {
+            options.request(session, session.materials.selected(), 100.0)
+        };
+        session.set_theta_deg(20.0);
+        let shared = request(&Options::default(), &session);
+        assert!((shared.direction[0] - 20.0).abs() < 1e-9);
+        assert_eq!(shared.light, Light::Sky, "a mirror would show one point");
+        let read: Options = toml::from_str("theta_deg = 70.0").unwrap();
+        let own = request(&read, &session);
+        assert_eq!(
+            (own.direction, own.light),
+            ([70.0, 135.0], Light::Directional)
+        );
+        assert_eq!(read.curve, Curve::Linear, "as older files have it");
     }
 }

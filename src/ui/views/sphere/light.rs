@@ -8,7 +8,7 @@ use super::place::position;
 use crate::widgets::{deltas, handle, pictures};
 use bxdf::math::frame;
 use bxdf_lab::analysis::sphere::{self, Light};
-use bxdf_lab::analysis::{Channel, Subject};
+use bxdf_lab::analysis::{Channel, Hold, Subject};
 use bxdf_study::session::EntryId;
 use bxdf_study::views::sphere::{LIGHT_PHI, LIGHT_THETA, Options};
 
@@ -41,19 +41,22 @@ pub(super) fn mark_glint(
         let place = (beside, Align2::LEFT_CENTER);
         let text = deltas::label(Channel::Luminance.of(flux));
         let look = (cx.palette.ink, cx.palette);
-        let mut taken = vec![handle::room(position(rect, handle_place(cx.options)))];
+        let mut taken = vec![handle::room(position(
+            rect,
+            handle_place(cx.options.light_at(cx.session)),
+        ))];
         deltas::write(ui, &painter, &mut taken, place, &text, look);
     }
 }
 
 /// Where the light's handle is, in radii of the sphere: on the sphere where it faces the light, outside of it where the light
 /// stands behind.
-fn handle_place(options: &Options) -> [f64; 2] {
-    let (sin, cos) = options.phi_deg.to_radians().sin_cos();
-    let reach = if options.theta_deg <= 90.0 {
-        options.theta_deg.to_radians().sin()
+fn handle_place([theta_deg, phi_deg]: [f64; 2]) -> [f64; 2] {
+    let (sin, cos) = phi_deg.to_radians().sin_cos();
+    let reach = if theta_deg <= 90.0 {
+        theta_deg.to_radians().sin()
     } else {
-        1.0 + BEHIND * (options.theta_deg - 90.0) / 90.0
+        1.0 + BEHIND * (theta_deg - 90.0) / 90.0
     };
     [reach * cos, reach * sin]
 }
@@ -63,7 +66,7 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
     if !cx.options.light.has_direction() {
         return;
     }
-    let at = position(rect, handle_place(cx.options));
+    let at = position(rect, handle_place(cx.options.light_at(cx.session)));
     let id = ui.scope_id().with("light of the sphere");
     let named = (id, "Light of the sphere", ui.clip_rect());
     let handle = handle::show(ui, at, named, cx.palette.light, cx.palette);
@@ -82,6 +85,13 @@ pub(super) fn drag(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
     } else {
         90.0 + 90.0 * ((radius - 1.0) / BEHIND).min(1.0)
     };
+    if cx.options.is_shared {
+        let phi_deg = frame::phi(DVec3::new(x, -y, 0.0)).to_degrees();
+        let light = frame::direction_from_degrees(theta_deg, phi_deg);
+        cx.put(Hold::Light, light);
+        ui.ctx().request_repaint();
+        return;
+    }
     let options = &mut *cx.options;
     let tenth = |angle: f64| (10.0 * angle).round() / 10.0;
     LIGHT_THETA.put(&mut options.theta_deg, tenth(theta_deg));

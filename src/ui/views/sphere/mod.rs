@@ -16,7 +16,7 @@ use bxdf_lab::analysis::half_difference::Spherical;
 use bxdf_lab::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
-use bxdf_study::views::sphere::{Arrangement, EXPOSURE, Options};
+use bxdf_study::views::sphere::{Arrangement, Curve, EXPOSURE, Options};
 
 mod light;
 mod place;
@@ -52,8 +52,8 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         show_grid(ui, cx, room)
     };
     let is_delta = |entry: &MaterialEntry| entry.material.is_delta_only();
-    let note = if options.light == Light::Directional && cx.session.materials.shown().any(is_delta)
-    {
+    let is_point = options.light == Light::Directional && !options.is_shared;
+    let note = if is_point && cx.session.materials.shown().any(is_delta) {
         Some("A mirror shows light from one direction at the ringed point alone: choose the sky")
     } else if is_clipped && !is_difference {
         Some("Channels are clipped where it is brightest: lower the exposure to see them")
@@ -86,6 +86,24 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
             &mut options.light,
             &Light::ALL,
             Light::title,
+        );
+        if options.light.has_direction() {
+            let mut is_own = !options.is_shared;
+            let hint = "A light of this view's own, also behind the sphere; else the light of the other views";
+            choice::switch(ui, ("Own light", hint), &mut is_own);
+            if is_own {
+                options.keep_light(session);
+            } else {
+                options.is_shared = true;
+            }
+        }
+        let hint = "Soft: nothing is clipped. Linear: in proportion, clipped at white";
+        choice::choice(
+            ui,
+            ("Brightness", hint),
+            &mut options.curve,
+            &Curve::ALL,
+            Curve::title,
         );
         ui.label("Exposure");
         let hint = "Each stop doubles the radiance; white is radiance 1 at 0 stops";
@@ -130,9 +148,12 @@ fn texture(
     width: f32,
     is_difference: bool,
 ) -> Option<pictures::Texture> {
-    let (session, answers) = (&*cx.session, &mut *cx.answers);
-    let request = cx.options.request(width * ui.ctx().pixels_per_point());
-    let mut of = |entry: &MaterialEntry| answers.ask(session, entry, request);
+    let (session, answers, options) = (&*cx.session, &mut *cx.answers, &*cx.options);
+    let pixels = width * ui.ctx().pixels_per_point();
+    let mut of = |entry: &MaterialEntry| {
+        let request = options.request(session, entry, pixels);
+        answers.ask(session, entry, request)
+    };
     let picture = of(session.materials.get(entry)?);
     let id = ui.scope_id().with(("sphere", entry));
     let textures = &mut cx.state.textures;
@@ -143,21 +164,34 @@ fn texture(
         let paint = || difference(&picture, &reference, scale);
         return Some(textures.get(ui, id, (sources, Some(scale)), paint));
     }
-    // The look is the radiance that becomes white.
+    let curve = cx.options.curve;
+    // The look is the radiance that becomes white, and the curve.
     let look = ColorScale {
         range: [0.0, white(cx.options)],
-        kind: ScaleKind::Linear,
+        kind: match curve {
+            Curve::Linear => ScaleKind::Linear,
+            Curve::Soft => ScaleKind::Logarithmic,
+        },
     };
     let sources = vec![Arc::clone(&picture) as _];
     Some(textures.get(ui, id, (sources, Some(look)), || {
-        exposed(&picture, white(cx.options))
+        exposed(&picture, white(cx.options), curve)
     }))
 }
 
-/// The picture as the screen shows it, clipped where a channel is brighter than `white`.
-fn exposed(picture: &Picture, white: f64) -> ColorImage {
+/// The picture as the screen shows it: clipped where a channel is brighter than `white`, or by a curve on which that is two
+/// thirds of the brightness, and nothing all of it.
+fn exposed(picture: &Picture, white: f64, curve: Curve) -> ColorImage {
+    const MOST: f64 = 0.995;
+    const SLOPE: f64 = 2.0;
     let pixels = picture.pixels.iter().map(|[r, g, b, coverage]| {
-        let linear = [*r, *g, *b].map(|x| f64::from(x) / white);
+        let linear = [*r, *g, *b].map(|x| {
+            let x = f64::from(x) / white;
+            match curve {
+                Curve::Linear => x,
+                Curve::Soft => MOST * SLOPE * x / (1.0 + SLOPE * x),
+            }
+        });
         theme::color_of_linear_covered(linear, *coverage)
     });
     ColorImage::new([picture.width, picture.height], pixels.collect())
@@ -273,7 +307,10 @@ fn interact_strip(
         Sense::click(),
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, format!("Sphere of {name}")));
-    let request = cx.options.request(rect.width());
+    let Some(found) = cx.session.materials.get(entry) else {
+        return;
+    };
+    let request = cx.options.request(cx.session, found, rect.width());
     if !request.light.has_direction() {
         return;
     }
@@ -291,6 +328,8 @@ fn interact_strip(
     read_out(ui, cx, (&response, name), (wo, wi));
     if response.clicked() {
         cx.session.materials.select(entry);
+        // The sphere stays as it was clicked, wherever the light of the pair is.
+        cx.options.keep_light(cx.session);
         cx.hold_pair(wo, wi);
     }
 }
@@ -342,8 +381,14 @@ mod tests {
             height: 1,
             pixels: vec![[0.5, 0.5, 0.5, 1.0], [0.0; 4]],
         };
-        let half = exposed(&picture, 1.0);
+        let half = exposed(&picture, 1.0, Curve::Linear);
         assert!(half.pixels[0].r() < 255 && half.pixels[1].a() == 0);
-        assert_eq!(exposed(&picture, 0.5).pixels[0].r(), 255);
+        assert_eq!(exposed(&picture, 0.5, Curve::Linear).pixels[0].r(), 255);
+        let bright = Picture {
+            pixels: vec![[1e6, 0.5, 1e-3, 1.0], [0.0; 4]],
+            ..picture
+        };
+        let [r, g, b, _] = exposed(&bright, 1.0, Curve::Soft).pixels[0].to_array();
+        assert!(r > 250 && r < 255 && g > b && b > 0, "{r} {g} {b}");
     }
 }
