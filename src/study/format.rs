@@ -1,11 +1,12 @@
 //! Numbers as the screen shows them.
 
-/// A value in three significant digits, as short as it goes and as it is set: `0.318`, `12`, `1.2 × 10⁵`, `0`. It breaks over
-/// no two lines.
+/// A value in three significant digits, as short as it goes and as it is set: `0.318`, `12`, `1.2 × 10⁵`, `10⁻⁴`, `0`. It
+/// breaks over no two lines.
 #[must_use]
 pub fn value(x: f64) -> String {
     match rounded(x) {
         (digits, 0) => digits,
+        (one, exponent) if one == "1" => power_of_ten(exponent),
         (mantissa, exponent) => format!("{mantissa}\u{a0}×\u{a0}{}", power_of_ten(exponent)),
     }
 }
@@ -35,8 +36,7 @@ const RAISED: [(char, char); 11] = [
 ];
 
 /// A power of ten: `10⁻³`.
-#[must_use]
-pub fn power_of_ten(exponent: i32) -> String {
+fn power_of_ten(exponent: i32) -> String {
     let raised = |typed: char| {
         let mut pairs = RAISED.into_iter();
         pairs.find(|pair| pair.0 == typed).map(|pair| pair.1)
@@ -126,7 +126,7 @@ mod tests {
             (123_456.0, "1.23 × 10⁵"),
             (0.000_12, "1.2 × 10⁻⁴"),
             (-3e-12, "-3 × 10⁻¹²"),
-            (1e-4, "1 × 10⁻⁴"),
+            (1e-4, "10⁻⁴"),
         ];
         for (x, text) in cases {
             assert_eq!(value(x).replace('\u{a0}', " "), text);

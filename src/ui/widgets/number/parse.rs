@@ -16,10 +16,12 @@ const SPELLINGS: [(&str, &[&str]); 2] = [
 pub fn number(text: &str, unit: &str) -> Option<f64> {
     let text = without_unit(text.trim(), unit);
     let (is_negative, digits) = sign(text);
-    let set = digits.split_once('×').map(|(mantissa, power)| {
-        let raised = power.trim_start().strip_prefix("10").unwrap_or_default();
-        (mantissa.trim_end(), format::lowered(raised))
-    });
+    let (before, power) = digits.split_once('×').unwrap_or(("1", digits));
+    let raised = power.trim_start().strip_prefix("10").map(format::lowered);
+    let is_raised = |exponent: &String| !exponent.is_empty();
+    let set = raised
+        .filter(is_raised)
+        .map(|exponent| (before.trim_end(), exponent));
     let typed = digits.split_once(['e', 'E']);
     let typed = typed.map(|(mantissa, exponent)| (mantissa, exponent.to_owned()));
     let (mantissa, exponent) = match set.or(typed) {
@@ -100,6 +102,7 @@ mod tests {
             ("2,5e\u{2212}3", 2.5e-3),
             ("1.2 × 10⁻³", 1.2e-3),
             ("-3\u{a0}×\u{a0}10¹²", -3e12),
+            ("10⁻⁴", 1e-4),
             ("-7", -7.0),
             ("\u{2212}7", -7.0),
             ("- 7", -7.0),
