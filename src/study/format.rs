@@ -1,27 +1,88 @@
 //! Numbers as the screen shows them.
 
-/// A value in three significant digits, as short as it goes: `0.318`, `12`, `1.2e5`, `0`.
+/// A value in three significant digits, as short as it goes and as it is set: `0.318`, `12`, `1.2 × 10⁵`, `10⁻⁴`, `0`. It
+/// breaks over no two lines.
 #[must_use]
 pub fn value(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
+    match rounded(x) {
+        (digits, 0) => digits,
+        (one, exponent) if one == "1" => power_of_ten(exponent),
+        (mantissa, exponent) => format!("{mantissa}\u{a0}×\u{a0}{}", power_of_ten(exponent)),
     }
-    let magnitude = x.abs().log10().floor();
-    if (-3.0..4.0).contains(&magnitude) {
-        let decimals = (2.0 - magnitude).max(0.0) as usize;
-        let text = format!("{x:.decimals$}");
+}
+
+/// The same as it is typed, for fields, where room is short: `1.2e5`.
+#[must_use]
+pub fn typed(x: f64) -> String {
+    match rounded(x) {
+        (digits, 0) => digits,
+        (mantissa, exponent) => format!("{mantissa}e{exponent}"),
+    }
+}
+
+/// The signs of an exponent, as they are typed and raised.
+const RAISED: [(char, char); 11] = [
+    ('-', '⁻'),
+    ('0', '⁰'),
+    ('1', '¹'),
+    ('2', '²'),
+    ('3', '³'),
+    ('4', '⁴'),
+    ('5', '⁵'),
+    ('6', '⁶'),
+    ('7', '⁷'),
+    ('8', '⁸'),
+    ('9', '⁹'),
+];
+
+/// A power of ten: `10⁻³`.
+fn power_of_ten(exponent: i32) -> String {
+    let raised = |typed: char| {
+        let mut pairs = RAISED.into_iter();
+        pairs.find(|pair| pair.0 == typed).map(|pair| pair.1)
+    };
+    let digits = exponent.to_string();
+    let exponent: String = digits.chars().filter_map(raised).collect();
+    format!("10{exponent}")
+}
+
+/// The exponent behind a 10, `⁻³`, as it is typed; empty where something else stands there.
+#[must_use]
+pub fn lowered(raised: &str) -> String {
+    let typed = |raised: char| {
+        let mut pairs = RAISED.into_iter();
+        pairs.find(|pair| pair.1 == raised).map(|pair| pair.0)
+    };
+    raised
+        .chars()
+        .map(typed)
+        .collect::<Option<String>>()
+        .unwrap_or_default()
+}
+
+/// The magnitudes that plain digits say at a glance: others have too many zeros to count.
+const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
+
+/// The three digits that count, and the power of ten behind them; 0 where plain digits say it.
+fn rounded(x: f64) -> (String, i32) {
+    let trimmed = |text: &str| {
         if text.contains('.') {
             text.trim_end_matches('0').trim_end_matches('.').to_owned()
         } else {
-            text
+            text.to_owned()
         }
+    };
+    // Of the rounded value: 0.9999 is 1.
+    let text = format!("{x:.2e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if x == 0.0 || !x.is_finite() {
+        (trimmed(mantissa), 0)
+    } else if PLAIN.contains(&x.abs()) {
+        let decimals = usize::try_from(2 - exponent).unwrap_or(0);
+        (trimmed(&format!("{x:.decimals$}")), 0)
     } else {
-        let text = format!("{x:.2e}");
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        format!(
-            "{}e{exponent}",
-            mantissa.trim_end_matches('0').trim_end_matches('.')
-        )
+        (trimmed(mantissa), exponent)
     }
 }
 
@@ -59,12 +120,22 @@ mod tests {
             (0.254_65, "0.255"),
             (12.0, "12"),
             (1234.6, "1235"),
-            (123_456.0, "1.23e5"),
+            (0.999_9, "1"),
+            (0.001, "0.001"),
+            (12_345.0, "12345"),
+            (123_456.0, "1.23 × 10⁵"),
+            (0.000_12, "1.2 × 10⁻⁴"),
+            (-3e-12, "-3 × 10⁻¹²"),
+            (1e-4, "10⁻⁴"),
         ];
         for (x, text) in cases {
-            assert_eq!(value(x), text);
+            assert_eq!(value(x).replace('\u{a0}', " "), text);
         }
-        assert_eq!(value(0.000_12), "1.2e-4");
+        assert_eq!(typed(123_456.0), "1.23e5");
+        assert_eq!(typed(0.000_12), "1.2e-4");
+        assert_eq!(typed(0.25), "0.25");
+        assert_eq!(lowered("⁻¹²"), "-12");
+        assert_eq!(lowered("⁻1"), "");
         assert_eq!(value(-0.5), "-0.5");
         assert_eq!(degrees(-0.01), "0°");
         assert_eq!(degrees(12.54), "12.5°");

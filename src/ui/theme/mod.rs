@@ -1,6 +1,6 @@
 //! Every colour and size of the window.
 
-use egui::{FontFamily, FontId, TextStyle, Theme, Vec2};
+use egui::{FontDefinitions, FontFamily, FontId, TextStyle, Theme, Vec2};
 
 use super::scene3d::Rgba;
 use bxdf_lab::analysis::Channel;
@@ -169,8 +169,8 @@ pub enum Dash {
 }
 
 impl Dash {
-    /// The line of a material. Neighbours in the palette differ in it, and with seven colours no two of the first
-    /// twenty-one materials have both in common.
+    /// The line of a material. Neighbours in the palette differ in it, and with eight colours no two of the first
+    /// twenty-four materials have both in common.
     #[must_use]
     pub fn of(slot: PaletteIndex) -> Self {
         match slot.0 % 3 {
@@ -202,13 +202,26 @@ impl Dash {
     }
 }
 
-/// Sets text sizes and spacing for both themes.
+/// The size of the one number that a view is about, in points.
+pub const LARGE_TEXT: f32 = 20.0;
+
+/// Sets fonts, text sizes and spacing for both themes.
 pub fn apply(ctx: &egui::Context) {
+    // The raised minus of 10⁻³ is in no font for text.
+    let mut fonts = FontDefinitions::default();
+    let families = &mut fonts.families;
+    if let Some(wide) = families.get(&FontFamily::Monospace).cloned() {
+        let text = families.entry(FontFamily::Proportional).or_default();
+        let lacks = |font: &String| !text.contains(font);
+        let more: Vec<String> = wide.into_iter().filter(lacks).collect();
+        text.extend(more);
+    }
+    ctx.set_fonts(fonts);
     ctx.all_styles_mut(|style| {
         let font = |size: f32| FontId::new(size, FontFamily::Proportional);
-        style.text_styles.insert(TextStyle::Heading, font(17.0));
-        style.text_styles.insert(TextStyle::Body, font(13.5));
-        style.text_styles.insert(TextStyle::Button, font(13.5));
+        style.text_styles.insert(TextStyle::Heading, font(15.0));
+        style.text_styles.insert(TextStyle::Body, font(13.0));
+        style.text_styles.insert(TextStyle::Button, font(13.0));
         style.text_styles.insert(TextStyle::Small, font(11.5));
         style.spacing.item_spacing = Vec2::new(7.0, 5.0);
         style.spacing.slider_width = 118.0;
@@ -217,11 +230,19 @@ pub fn apply(ctx: &egui::Context) {
     for theme in [Theme::Dark, Theme::Light] {
         let palette = Palette::of(theme);
         ctx.style_mut_of(theme, |style| {
-            style.visuals.override_text_color = Some(palette.ink);
-            style.visuals.weak_text_color = Some(palette.faint_ink);
-            style.visuals.extreme_bg_color = palette.background;
-            style.visuals.error_fg_color = palette.warning;
-            style.visuals.slider_trailing_fill = true;
+            let visuals = &mut style.visuals;
+            visuals.override_text_color = Some(palette.ink);
+            visuals.weak_text_color = Some(palette.faint_ink);
+            visuals.panel_fill = palette.panel;
+            visuals.window_fill = palette.panel;
+            visuals.extreme_bg_color = palette.background;
+            visuals.error_fg_color = palette.warning;
+            visuals.warn_fg_color = palette.warning;
+            visuals.selection.bg_fill = palette.accent;
+            visuals.selection.stroke.color = palette.accent_line;
+            // The rail of a slider would have the accent.
+            visuals.slider_trailing_fill = false;
+            visuals.text_cursor.stroke.color = palette.accent_line;
         });
     }
 }
@@ -231,7 +252,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn twenty_one_materials_are_told_apart() {
+    fn twenty_four_materials_are_told_apart() {
         for palette in [Theme::Dark, Theme::Light].map(Palette::of) {
             let look = |slot: u8| {
                 (
@@ -239,7 +260,7 @@ mod tests {
                     Dash::of(PaletteIndex(slot)),
                 )
             };
-            for a in 0..21 {
+            for a in 0..24 {
                 assert!((0..a).all(|b| look(a) != look(b)), "{a}");
                 assert_ne!(Dash::of(PaletteIndex(a)), Dash::of(PaletteIndex(a + 1)));
             }

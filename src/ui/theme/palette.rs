@@ -5,7 +5,7 @@ use egui::{Color32, Theme};
 use super::Rgba;
 use bxdf::Category;
 use bxdf_lab::analysis::{Channel, Hold};
-use bxdf_study::colors::{self, material_colors, okabe_ito};
+use bxdf_study::colors::{self, material_colors};
 use bxdf_study::session::PaletteIndex;
 
 /// The colours of one theme.
@@ -13,6 +13,12 @@ use bxdf_study::session::PaletteIndex;
 pub struct Palette {
     /// Behind the views.
     pub background: Color32,
+    /// Behind the bars and panels around them.
+    pub panel: Color32,
+    /// Behind what is selected: the one accent.
+    pub accent: Color32,
+    /// The outline of what is selected or has the focus.
+    pub accent_line: Color32,
     /// Text and the normal.
     pub ink: Color32,
     /// Labels of secondary rank.
@@ -22,7 +28,7 @@ pub struct Palette {
     /// The horizon and the axes.
     pub axis: Color32,
     /// The materials, in the order in which their places are taken.
-    materials: [Color32; 7],
+    materials: [Color32; 8],
     /// The held direction where the light is held.
     pub light: Color32,
     /// The held direction where the viewer is held.
@@ -55,7 +61,8 @@ pub struct Palette {
     pub isoline: Rgba,
     /// Absorbed light in the bar of shares.
     pub absorbed: Color32,
-    /// The categories in the bar of shares, in the order in which they are listed.
+    /// The categories of lobes, in the order in which they are listed: tints of slate, which no material has; icons, names and
+    /// dashes tell them apart.
     categories: [Color32; 4],
     /// What is as it should be.
     pub kept: Color32,
@@ -83,6 +90,19 @@ pub(super) fn translucent([r, g, b]: [u8; 3], alpha: u8) -> Color32 {
     Color32::from_rgba_unmultiplied(r, g, b, alpha)
 }
 
+/// The contrast of text with what is behind it that WCAG 2.1 asks for (success criterion 1.4.3).
+const TEXT_CONTRAST: f32 = 4.5;
+
+/// The contrast of two colours that let nothing through, as WCAG 2.1 defines it: 1 to 21.
+fn contrast(one: Color32, other: Color32) -> f32 {
+    let luminance = |color: Color32| {
+        let linear = egui::Rgba::from(color);
+        0.2126 * linear.r() + 0.7152 * linear.g() + 0.0722 * linear.b()
+    };
+    let [one, other] = [one, other].map(luminance);
+    (one.max(other) + 0.05) / (one.min(other) + 0.05)
+}
+
 const fn grey(level: u8) -> Color32 {
     rgb([level; 3])
 }
@@ -99,15 +119,18 @@ impl Palette {
 
     fn dark() -> Self {
         Self {
-            background: rgb([22, 24, 28]),
+            background: rgb([20, 22, 27]),
+            panel: rgb([27, 30, 36]),
+            accent: rgb([38, 72, 118]),
+            accent_line: rgb([160, 200, 255]),
             ink: grey(225),
             faint_ink: grey(160),
             grid: rgb([58, 62, 70]),
             axis: grey(140),
             materials: material_colors(colors::Theme::Dark).map(rgb),
-            light: rgb(okabe_ito::ORANGE),
-            viewer: rgb([120, 210, 150]),
-            mirror: rgb([170, 150, 235]),
+            light: rgb([242, 165, 65]),
+            viewer: rgb([111, 207, 151]),
+            mirror: rgb([190, 168, 195]),
             geometry: rgb([240, 228, 66]),
             contour: translucent([255, 255, 255], 130),
             contour_on_white: translucent([0, 0, 0], 130),
@@ -122,10 +145,10 @@ impl Palette {
             isoline: [0, 0, 0, 90],
             absorbed: grey(70),
             categories: [
-                rgb(okabe_ito::SKY_BLUE),
-                rgb(okabe_ito::GREEN),
-                rgb(okabe_ito::VERMILION),
-                rgb(okabe_ito::PURPLE),
+                rgb([104, 122, 148]),
+                rgb([138, 156, 180]),
+                rgb([172, 188, 210]),
+                rgb([208, 220, 236]),
             ],
             kept: rgb([60, 190, 140]),
             warning: rgb([255, 140, 70]),
@@ -137,19 +160,22 @@ impl Palette {
 
     fn light() -> Self {
         Self {
-            background: grey(252),
+            background: rgb([250, 250, 247]),
+            panel: rgb([248, 248, 245]),
+            accent: rgb([190, 214, 246]),
+            accent_line: rgb([28, 84, 150]),
             ink: grey(30),
             faint_ink: grey(95),
             grid: grey(214),
             axis: grey(120),
             materials: material_colors(colors::Theme::Light).map(rgb),
-            light: rgb([196, 120, 0]),
-            viewer: rgb([0, 128, 80]),
-            mirror: rgb([105, 75, 185]),
-            geometry: rgb([150, 110, 0]),
+            light: rgb([143, 86, 0]),
+            viewer: rgb([14, 122, 69]),
+            mirror: rgb([101, 56, 188]),
+            geometry: rgb([132, 96, 0]),
             contour: translucent([255, 255, 255], 150),
             contour_on_white: translucent([0, 0, 0], 130),
-            backdrop: rgb([241, 243, 247]),
+            backdrop: rgb([243, 244, 244]),
             dome: [90, 110, 150, 7],
             dome_line: [70, 80, 100, 96],
             ground: [110, 120, 140, 44],
@@ -160,10 +186,10 @@ impl Palette {
             isoline: [0, 0, 0, 90],
             absorbed: grey(190),
             categories: [
-                rgb(okabe_ito::BLUE),
-                rgb(okabe_ito::GREEN),
-                rgb(okabe_ito::VERMILION),
-                rgb(okabe_ito::PURPLE),
+                rgb([128, 144, 168]),
+                rgb([98, 116, 142]),
+                rgb([70, 88, 114]),
+                rgb([42, 58, 84]),
             ],
             kept: rgb([0, 120, 85]),
             warning: rgb([176, 60, 0]),
@@ -201,6 +227,16 @@ impl Palette {
         }
     }
 
+    /// `color` as text has it on the background: with as much ink in it as it takes to be read.
+    #[must_use]
+    pub fn text_in(&self, color: Color32) -> Color32 {
+        /// Shades between a colour and the ink: neighbours look alike.
+        const SHADES: u8 = 16;
+        let shade = |step| color.lerp_to_gamma(self.ink, f32::from(step) / f32::from(SHADES));
+        let is_read = |color: &Color32| contrast(*color, self.background) >= TEXT_CONTRAST;
+        (0..SHADES).map(shade).find(is_read).unwrap_or(self.ink)
+    }
+
     /// The colour of a material.
     #[must_use]
     pub fn material(&self, slot: PaletteIndex) -> Color32 {
@@ -230,3 +266,6 @@ impl Palette {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

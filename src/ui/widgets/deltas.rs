@@ -122,6 +122,6 @@ mod tests {
     fn a_share_above_nothing_does_not_read_as_nothing() {
         assert_eq!(label(0.92), "delta 0.920");
         assert_eq!(label(-0.5), "delta -0.500");
-        assert_eq!(label(4.2e-5), "delta 4.2e-5");
+        assert_eq!(label(4.2e-5), "delta 4.2\u{a0}×\u{a0}10⁻⁵");
     }
 }

@@ -1,11 +1,13 @@
 //! Where the light goes: a bar of shares by category and side, with its legend.
 
-use egui::{Color32, Grid, Painter, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{Color32, Grid, Painter, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
 
+use super::category;
 use crate::theme::{self, Palette};
-use bxdf::Side;
+use bxdf::{Category, Side};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::reflectance::{LobeShare, Reflectance, by_kind};
+use bxdf_study::format;
 
 /// A sum of shares beyond 1 that is taken for more than an error of the quadrature or of rounded parameters.
 const EXCESS: f64 = 0.005;
@@ -19,6 +21,7 @@ struct Part {
     name: String,
     share: f64,
     color: Color32,
+    category: Option<Category>,
     is_hatched: bool,
 }
 
@@ -114,6 +117,7 @@ fn parts(shares: &[LobeShare], palette: &Palette) -> Vec<Part> {
                 name: format!("{}, {side}", lobe.category.title()),
                 share: Channel::Luminance.of(value),
                 color: palette.category(lobe.category),
+                category: Some(lobe.category),
                 is_hatched,
             }
         })
@@ -125,6 +129,7 @@ fn parts(shares: &[LobeShare], palette: &Palette) -> Vec<Part> {
             name: "Absorbed".to_owned(),
             share: absorbed,
             color: palette.absorbed,
+            category: None,
             is_hatched: false,
         });
     }
@@ -169,12 +174,23 @@ fn bar(ui: &mut Ui, parts: &[Part], palette: &Palette) -> egui::Response {
     response
 }
 
-/// Fills `rect` as `part` is: plain, or hatched in the colour of the background.
+/// Fills `rect` as `part` is: plain, or hatched in the colour of the background; with the icon of its category where there is
+/// room.
 fn fill(painter: &Painter, rect: Rect, part: &Part, palette: &Palette) {
     painter.rect_filled(rect, 0.0, part.color);
-    if !part.is_hatched {
-        return;
+    if part.is_hatched {
+        hatch(painter, rect, palette);
     }
+    let room = Rect::from_center_size(rect.center(), Vec2::splat(rect.height()));
+    if let Some(category) = part.category
+        && rect.contains_rect(room)
+    {
+        painter.rect_filled(room, 0.0, part.color);
+        category::icon(painter, room.shrink(1.0), category, palette.background);
+    }
+}
+
+fn hatch(painter: &Painter, rect: Rect, palette: &Palette) {
     let painter = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
     let lines = ((rect.width() + rect.height()) / theme::HATCH_STEP) as u32;
     for line in 0..=lines {
@@ -197,13 +213,16 @@ fn legend(ui: &mut Ui, parts: &[Part], error: f64, palette: &Palette) {
             ui.end_row();
         }
     });
-    ui.label(format!("Error of the integration at most {error:.1e}"));
+    ui.label(format!(
+        "Error of the integration at most {}",
+        format::value(error)
+    ));
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bxdf::{Category, Lobe};
+    use bxdf::Lobe;
 
     #[test]
     fn shares_sum_to_one() {

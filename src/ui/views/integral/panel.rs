@@ -144,7 +144,7 @@ impl Standing<'_> {
         let [counted, exact, error] = &self.lines;
         column.spacing_mut().item_spacing.y = 4.0;
         column.label(RichText::new(counted).color(self.palette.faint_ink));
-        column.label(RichText::new(words::number(self.so_far())).size(26.0));
+        column.label(RichText::new(words::number(self.so_far())).size(theme::LARGE_TEXT));
         column.label(exact);
         column.label(error);
         for (note, color) in notes {

@@ -188,6 +188,6 @@ mod tests {
         assert_eq!(of(0.505, 0.5), "Error +0.0050 (+1 %)");
         assert_eq!(of(0.4, 0.5), "Error -0.1000 (-20 %)");
         assert_eq!(error(Integrand::One, 3.0, 3.1, end), "No error");
-        assert_eq!(number(2e-5), "2e-5");
+        assert_eq!(number(2e-5), "2\u{a0}×\u{a0}10⁻⁵");
     }
 }

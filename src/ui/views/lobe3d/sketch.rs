@@ -98,7 +98,8 @@ impl Sketch<'_> {
                 painter.line_segment(ends, (1.0, color));
             }
             let (middle, anchor) = (rect.center(), Align2::CENTER_CENTER);
-            draw::haloed_text(&painter, middle, anchor, text, font, color, self.palette);
+            let ink = self.palette.text_in(color);
+            draw::haloed_text(&painter, middle, anchor, text, font, ink, self.palette);
         }
     }
 

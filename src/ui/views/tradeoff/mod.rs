@@ -141,7 +141,8 @@ fn families(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: Option<&Repo
             };
             let width = theme::LINE_SAMPLE + choice::small_switch_width(ui, family.title());
             choice::keep_together(ui, width);
-            let text = RichText::new(family.title()).small().color(color);
+            let ink = cx.palette.text_in(color);
+            let text = RichText::new(family.title()).small().color(ink);
             let text = if reason.is_some() {
                 text.strikethrough()
             } else {

@@ -41,9 +41,10 @@ impl Chart {
             let Some(own) = paths.get(index) else {
                 continue;
             };
-            let galley =
-                ui.painter()
-                    .layout_no_wrap(series.name.clone(), font.clone(), series.color);
+            let ink = palette.text_in(series.color);
+            let galley = ui
+                .painter()
+                .layout_no_wrap(series.name.clone(), font.clone(), ink);
             let size = galley.size();
             let is_free = |rect: &Rect| {
                 let is_apart = |other: &Rect| !other.intersects(rect.expand(2.0));
@@ -82,7 +83,7 @@ impl Chart {
                 taken.push(rect);
                 let painter = ui.painter_at(shown.frame());
                 painter.rect_filled(rect, 2.0, palette.background.gamma_multiply(0.8));
-                painter.galley(rect.min, galley, series.color);
+                painter.galley(rect.min, galley, ink);
             }
         }
     }

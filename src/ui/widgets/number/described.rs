@@ -138,7 +138,7 @@ fn shortened(value: f64) -> String {
     let text = format!("{value:.decimals$}");
     let rounded: f64 = text.parse().unwrap_or(value);
     if value.abs() >= MOST || (rounded - value).abs() > SHARE * value.abs() {
-        return format::value(value);
+        return format::typed(value);
     }
     if !text.contains('.') {
         return text;

@@ -1,5 +1,7 @@
 //! What a typed text says: a number as people write it, in either notation, with its unit or without.
 
+use bxdf_study::format;
+
 /// Units that are written in several ways.
 const SPELLINGS: [(&str, &[&str]); 2] = [
     ("degrees", &["°", "º", "degrees", "degree", "deg"]),
@@ -9,12 +11,20 @@ const SPELLINGS: [(&str, &[&str]); 2] = [
 /// The number that `text` stands for, in `unit`; `None` where it stands for none. Beyond the range of f64 it is infinite.
 ///
 /// A decimal point or a decimal comma, but no two of them: `1.234,5` could be either. Blanks around sign and unit, and
-/// between groups of three digits before the decimal mark. An exponent. Words such as `inf` are no numbers.
+/// between groups of three digits before the decimal mark. An exponent, typed or as the window sets it. Words such as `inf` are no numbers.
 #[must_use]
 pub fn number(text: &str, unit: &str) -> Option<f64> {
     let text = without_unit(text.trim(), unit);
     let (is_negative, digits) = sign(text);
-    let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
+    let (before, power) = digits.split_once('×').unwrap_or(("1", digits));
+    let raised = power.trim_start().strip_prefix("10").map(format::lowered);
+    let is_raised = |exponent: &String| !exponent.is_empty();
+    let set = raised
+        .filter(is_raised)
+        .map(|exponent| (before.trim_end(), exponent));
+    let typed = digits.split_once(['e', 'E']);
+    let typed = typed.map(|(mantissa, exponent)| (mantissa, exponent.to_owned()));
+    let (mantissa, exponent) = match set.or(typed) {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
         None => (digits, None),
     };
@@ -27,7 +37,7 @@ pub fn number(text: &str, unit: &str) -> Option<f64> {
     if is_empty || !is_digits(fraction) {
         return None;
     }
-    let exponent = match exponent.map(sign) {
+    let exponent = match exponent.as_deref().map(sign) {
         None => String::new(),
         Some((_, digits)) if digits.is_empty() || !is_digits(digits) => return None,
         Some((true, digits)) => format!("e-{digits}"),
@@ -90,6 +100,9 @@ mod tests {
             ("1e-3", 1e-3),
             ("1E+3", 1e3),
             ("2,5e\u{2212}3", 2.5e-3),
+            ("1.2 × 10⁻³", 1.2e-3),
+            ("-3\u{a0}×\u{a0}10¹²", -3e12),
+            ("10⁻⁴", 1e-4),
             ("-7", -7.0),
             ("\u{2212}7", -7.0),
             ("- 7", -7.0),
@@ -130,6 +143,10 @@ mod tests {
             "1e-",
             "1e2.5",
             "1e5e5",
+            "1 × 10",
+            "1 × 5",
+            "× 10⁵",
+            "1 × 10⁻",
             "0x10",
             "1_000",
             "3 4",

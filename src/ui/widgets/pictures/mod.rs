@@ -161,7 +161,7 @@ pub fn title(
 pub fn color_bar(ui: &Ui, room: Rect, scale: ColorScale, name: &str, palette: &Palette) -> Rect {
     const WIDTH: f32 = 12.0;
     const STEPS: usize = 48;
-    const TEXT: f32 = 54.0;
+    const TEXT: f32 = 62.0;
     const TICK_SPACING: f32 = 14.0;
     let font = draw::small_font(ui);
     let painter = ui.painter_at(room);
