@@ -29,14 +29,19 @@ pub fn value(x: f64) -> String {
 #[must_use]
 pub fn share(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
-        return format!("{} %", value(x));
+        return percent(x);
     }
     let rounded = two_digits(x);
     if rounded.abs() < LEAST_IN_PERCENT {
         value(rounded)
     } else {
-        format!("{} %", value(100.0 * rounded))
+        percent(100.0 * rounded)
     }
+}
+
+/// A number of percent, on one line with its sign.
+fn percent(x: f64) -> String {
+    format!("{}\u{a0}%", value(x))
 }
 
 /// The nearest number of two significant digits.
@@ -109,7 +114,7 @@ mod tests {
             (2.16e-7, "2.2e-7"),
         ];
         for (x, text) in cases {
-            assert_eq!(share(x), text);
+            assert_eq!(share(x).replace('\u{a0}', " "), text);
         }
     }
 

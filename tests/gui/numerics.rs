@@ -51,7 +51,7 @@ fn both_questions_of_the_tradeoff_are_answered_first_and_share_the_tolerance() {
         let text = format!("cheapest within {tolerance}: “");
         harness.query_all_by_label_contains(&text).count()
     };
-    assert_eq!(within(&harness, "1 %"), 2);
+    assert_eq!(within(&harness, "1\u{a0}%"), 2);
     let lines = [
         "Line of the tolerance",
         "Line of the tolerance of integrals",
@@ -61,7 +61,7 @@ fn both_questions_of_the_tradeoff_are_answered_first_and_share_the_tolerance() {
     drag(&mut harness, lines[1], at + vec2(0.0, 12.0));
     let tolerance = options::<tradeoff::Options>(&harness).tolerance;
     assert!(tolerance < 0.005, "{tolerance}");
-    assert_eq!(within(&harness, "1 %"), 0);
+    assert_eq!(within(&harness, "1\u{a0}%"), 0);
     let [evaluated, integrated] = lines.map(|line| harness.get_by_label(line).rect().center());
     assert!(evaluated.y > first.y + 5.0 && integrated.y > at.y + 5.0);
 }
@@ -190,7 +190,8 @@ fn formulas_are_compared_in_a_tab_and_shown_as_maps_where_they_have_two_argument
     harness.hover_at(frame.center());
     harness.run();
     assert!(paints(&harness, "textbook: "));
-    let verdict = "in f32 the textbook's form gives no number (Width a";
+    let verdict =
+        "in f32 the textbook's form gives no number (Width a, half a width off the normal: ";
     assert!(harness.query_by_label_contains(verdict).is_some());
     choose(&mut harness, "As", "Maps");
     let map = canvas(&harness, "Map of core, f64");

@@ -51,6 +51,8 @@ pub struct Comparison {
     pub why: &'static str,
     /// Name of the parameter, with its unit.
     pub axis: &'static str,
+    /// Where the second argument stays along a curve, in words; empty where there is none.
+    pub fixed: &'static str,
     /// Smallest and largest value of the parameter, above 0: it runs evenly over the decades.
     pub range: [f64; 2],
     /// What it depends on besides, where it depends on two.
@@ -69,6 +71,15 @@ enum Inputs {
 pub type Map = Raster<Outcome>;
 
 impl Comparison {
+    /// The parameter, and where the second argument stays along a curve.
+    #[must_use]
+    pub fn axis_of_curve(&self) -> String {
+        match self.fixed {
+            "" => self.axis.to_owned(),
+            fixed => format!("{}, {fixed}", self.axis),
+        }
+    }
+
     /// The errors at `x` of [`Self::range`].
     #[must_use]
     pub fn at(&self, x: f64) -> Outcome {
@@ -135,7 +146,8 @@ pub static COMPARISONS: [Comparison; 7] = [
         textbook: "1 / (pi alpha^2 cos^4 (1 + tan^2 / alpha^2)^2), tan^2 = (1 - cos^2) / cos^2",
         stable: "From the components of the half vector: x^2 / alpha^2 + y^2 / alpha^2 + z^2, squared",
         why: "1 - cos^2 of a cosine near 1 is a difference of nearly equal numbers: a narrow lobe sees nothing but its rounding",
-        axis: "Width alpha, one width off the normal",
+        axis: "Width alpha",
+        fixed: "half a width off the normal",
         range: [1e-4, 1.0],
         second: Some(WIDTHS_OFF),
         outcome: outcome::<formulas::Ggx>,
@@ -146,7 +158,8 @@ pub static COMPARISONS: [Comparison; 7] = [
         textbook: "((n cos_i - cos_t) / (n cos_i + cos_t))^2 and its like, cos_t by Snell's law",
         stable: "s polarisation by (n - 1)(n + 1) / (cos_i + n cos_t)^2: no difference of nearly equal numbers",
         why: "Both cosines are nearly equal, and so their difference is their rounding",
-        axis: "Index n - 1, at 45 degrees",
+        axis: "Index n - 1",
+        fixed: "at 45 degrees",
         range: [1e-7, 1.0],
         second: Some(cosine(std::f64::consts::FRAC_1_SQRT_2)),
         outcome: outcome::<formulas::NearIndexOne>,
@@ -157,7 +170,8 @@ pub static COMPARISONS: [Comparison; 7] = [
         textbook: "a^2 + b^2 = sqrt((n^2 - k^2 - sin^2)^2 + 4 n^2 k^2), 2 a^2 = a^2 + b^2 + n^2 - k^2 - sin^2",
         stable: "The larger part of the root from the modulus, the smaller from the product n k; squares brought into range",
         why: "Where little is reflected it is a difference of nearly equal numbers, and fourth powers of a large k overflow",
-        axis: "Absorption index k, n = 1, at 60 degrees",
+        axis: "Absorption index k (n = 1)",
+        fixed: "at 60 degrees",
         range: [1e-6, 1e10],
         second: Some(cosine(0.5)),
         outcome: outcome::<formulas::Metal>,
@@ -168,7 +182,8 @@ pub static COMPARISONS: [Comparison; 7] = [
         textbook: "(sqrt(1 + alpha^2 tan^2) - 1) / 2",
         stable: "alpha^2 sin^2 / (2 cos (cos + sqrt(cos^2 + alpha^2 sin^2)))",
         why: "Where little is masked the root is nearly 1, and what is left of the difference is its rounding",
-        axis: "Polar angle (radians), alpha = .1",
+        axis: "Polar angle (radians)",
+        fixed: "alpha = .1",
         range: [1e-6, 1.57],
         second: Some(Argument {
             axis: "Width alpha",
@@ -183,7 +198,8 @@ pub static COMPARISONS: [Comparison; 7] = [
         textbook: "(a^2 - 1) / (pi log1p(a^2 - 1) (1 + (a^2 - 1) cos^2))",
         stable: "(1 - a)(1 + a) over -2 pi ln(a) (a^2 + (1 - a)(1 + a) sin^2)",
         why: "a^2 - 1 of a narrow coat rounds to -1: the logarithm and 1 + (a^2 - 1) cos^2 lose what a is",
-        axis: "Width a, one width off the normal",
+        axis: "Width a",
+        fixed: "half a width off the normal",
         range: [1e-5, 0.99],
         second: Some(WIDTHS_OFF),
         outcome: outcome::<formulas::ClearCoat>,
@@ -194,7 +210,8 @@ pub static COMPARISONS: [Comparison; 7] = [
         textbook: "cos^n, the cosine's power as the library has it",
         stable: "exp(n ln(1 - sin^2) / 2), the sine from the components of the half vector",
         why: "A cosine near 1 is known to one rounding, and the power multiplies that by n",
-        axis: "Exponent n, where the lobe has fallen to a third",
+        axis: "Exponent n",
+        fixed: "where the lobe has fallen to three fifths",
         range: [1.0, 1e4],
         second: Some(Argument {
             axis: "Sine off the normal, over the root of 1/n",
@@ -210,6 +227,7 @@ pub static COMPARISONS: [Comparison; 7] = [
         stable: "A sum of terms of the order of mu, by 1 - S = mu^2 / (1 + S)",
         why: "Towards the horizon 1 - S^3 rounds to 0 and is divided by mu, and G nears pi c1",
         axis: "Cosine mu",
+        fixed: "",
         range: [1e-6, 1.0],
         second: None,
         outcome: outcome::<formulas::Fujii>,

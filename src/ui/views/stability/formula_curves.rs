@@ -38,7 +38,7 @@ pub(super) fn show(
         [
             Axis {
                 is_logarithmic: true,
-                ..Axis::linear(comparison.axis, comparison.range)
+                ..Axis::linear(comparison.axis_of_curve(), comparison.range)
             },
             Axis {
                 is_logarithmic: true,

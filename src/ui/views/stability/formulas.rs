@@ -17,8 +17,8 @@ const COUNT: usize = 240;
 /// Room below the chart for the words, in points.
 pub(super) const WORDS: f32 = 84.0;
 
-/// The least share of the height that the chart has, whatever is said below.
-pub(super) const LEAST_SHARE: f32 = 0.6;
+/// Room for why alone.
+pub(super) const BRIEF_WORDS: f32 = 36.0;
 
 /// What is known along the parameter of a comparison.
 pub(super) type Curve = Vec<(f64, Outcome)>;
@@ -62,7 +62,7 @@ pub(super) fn verdict(comparison: &Comparison, curve: &Curve) -> String {
         "{}: in f32 the textbook's form {} ({}: {}), the core's by {} at most; in f64 it {}, the core's by {}",
         comparison.title,
         wrong(single),
-        comparison.axis,
+        comparison.axis_of_curve(),
         format::value(x),
         format::share(own_single),
         wrong(double),
@@ -79,13 +79,14 @@ fn wrong(error: f64) -> String {
     }
 }
 
-/// Both forms, and why one of them loses its digits.
-pub(super) fn words(ui: &mut Ui, comparison: &Comparison) {
-    for (name, text) in [
+/// Both forms, and why one of them loses its digits; that alone where it `is_brief`.
+pub(super) fn words(ui: &mut Ui, comparison: &Comparison, is_brief: bool) {
+    let all = [
         ("Textbook", comparison.textbook),
         ("Core", comparison.stable),
         ("Why", comparison.why),
-    ] {
+    ];
+    for (name, text) in all.into_iter().skip(if is_brief { 2 } else { 0 }) {
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(name).small().strong());
             ui.label(RichText::new(text).small());

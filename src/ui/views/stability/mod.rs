@@ -45,13 +45,19 @@ fn formula(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let curve = formulas::curve(cx, comparison);
     ui.label(formulas::verdict(comparison, &curve));
     let room = ui.available_height();
-    let height = (room - formulas::WORDS).max(formulas::LEAST_SHARE * room);
+    let is_brief = room < theme::LIST_BELOW;
+    let height = room
+        - if is_brief {
+            formulas::BRIEF_WORDS
+        } else {
+            formulas::WORDS
+        };
     if formulas::are_mapped(cx.options) {
         formula_maps::show(ui, cx, comparison, height);
     } else {
         formula_curves::show(ui, cx, comparison, height);
     }
-    formulas::words(ui, comparison);
+    formulas::words(ui, comparison, is_brief);
 }
 
 /// What the view is of, always in sight.

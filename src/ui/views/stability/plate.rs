@@ -82,7 +82,7 @@ pub(super) fn title(ui: &Ui, picture: Rect, title: &str, palette: &Palette) {
         .text(place, Align2::LEFT_BOTTOM, title, font, palette.ink);
 }
 
-/// A square where the error is larger than rounding explains, or a result is no number; `ratio`: over the bound.
+/// Marks where the error is larger than rounding explains, or a result is no number; `ratio`: over the bound.
 pub(super) fn draw_violations<T>(
     ui: &Ui,
     palette: &Palette,
@@ -92,14 +92,22 @@ pub(super) fn draw_violations<T>(
 ) {
     let painter = ui.painter_at(rect);
     let size = rect.size() / vec2(map.width.max(1) as f32, map.height.max(1) as f32);
-    for (index, cell) in map.pixels.iter().enumerate() {
-        if ratio(cell) > 1.0 {
-            let (column, row) = (index % map.width, index / map.width);
-            let corner = rect.min + vec2(column as f32, row as f32) * size;
-            painter.rect_filled(Rect::from_min_size(corner, size), 0.0, palette.warning);
+    for (row, cells) in map.pixels.chunks(map.width.max(1)).enumerate() {
+        let mut column = 0;
+        for run in cells.chunk_by(|a, b| (ratio(a) > 1.0) == (ratio(b) > 1.0)) {
+            if run.first().is_some_and(|cell| ratio(cell) > 1.0) {
+                let corner = rect.min + vec2(column as f32, row as f32) * size;
+                // A little over the next row, lest the map shine through between them.
+                let size = vec2(run.len() as f32, 1.0) * size + vec2(0.0, OVERLAP);
+                painter.rect_filled(Rect::from_min_size(corner, size), 0.0, palette.warning);
+            }
+            column += run.len();
         }
     }
 }
+
+/// How far a mark reaches over the next row, in points: the width of the edge that is blended.
+const OVERLAP: f32 = 0.5;
 
 /// An axis of a map.
 pub(super) struct Axis {
@@ -144,14 +152,13 @@ pub(super) fn draw_axes(
             palette.faint_ink,
         );
     }
-    let below = rect.center_bottom() + vec2(0.0, 15.0);
-    painter.text(
-        below,
-        Align2::CENTER_TOP,
-        &across.title,
-        font.clone(),
-        palette.ink,
-    );
+    // Where a name would reach into the next map, the pointer reads it out.
+    let fits = |length: f32, room: f32, beside: f32| length < room + beside;
+    let galley = painter.layout_no_wrap(across.title.clone(), font.clone(), palette.ink);
+    if fits(galley.size().x, rect.width(), LABELS.x) {
+        let below = rect.center_bottom() + vec2(-0.5 * galley.size().x, 15.0);
+        painter.galley(below, galley, palette.ink);
+    }
     for (value, share) in ticks(up, rect.height()) {
         let left = pictures::position_of(rect, [0.0, 1.0 - share]) - vec2(4.0, 0.0);
         painter.text(
@@ -162,8 +169,8 @@ pub(super) fn draw_axes(
             palette.faint_ink,
         );
     }
-    if is_first {
-        let galley = painter.layout_no_wrap(up.title.clone(), font, palette.ink);
+    let galley = painter.layout_no_wrap(up.title.clone(), font, palette.ink);
+    if is_first && fits(galley.size().x, rect.height(), LABELS.y) {
         let corner = rect.left_center() + vec2(-LABELS.x, 0.5 * galley.size().x);
         let text = egui::epaint::TextShape::new(corner, galley, palette.ink);
         painter.add(text.with_angle(-std::f32::consts::FRAC_PI_2));

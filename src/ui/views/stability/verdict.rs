@@ -128,7 +128,7 @@ mod tests {
 
     #[test]
     fn the_verdict_says_what_how_much_and_where() {
-        let said = |found: &[Extreme]| sentence(found).0.into_owned();
+        let said = |found: &[Extreme]| sentence(found).0.replace('\u{a0}', " ");
         let safe = [extreme("f32", 0.1, 0), extreme("f32", 0.223, 0)];
         assert_eq!(
             said(&safe),

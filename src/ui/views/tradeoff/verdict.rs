@@ -158,7 +158,7 @@ mod tests {
             held: DVec3::new(1.0, 0.0, 1.0).normalize(),
             families: Vec::new(),
         };
-        in_words(found, (&report, question), 0.01, is_awaited)
+        in_words(found, (&report, question), 0.01, is_awaited).replace('\u{a0}', " ")
     }
 
     #[test]
