@@ -86,6 +86,38 @@ fn rounded(x: f64) -> (String, i32) {
     }
 }
 
+/// A share in two significant digits: in percent where that is short, `22 %`, else as a number, `2.2e-7`.
+#[must_use]
+pub fn share(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return percent(x);
+    }
+    let rounded = two_digits(x);
+    if rounded.abs() < LEAST_IN_PERCENT {
+        value(rounded)
+    } else {
+        percent(100.0 * rounded)
+    }
+}
+
+/// A number of percent, on one line with its sign.
+fn percent(x: f64) -> String {
+    format!("{}\u{a0}%", value(x))
+}
+
+/// The nearest number of two significant digits.
+#[must_use]
+pub fn two_digits(x: f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return x;
+    }
+    let unit = 10.0_f64.powf(x.abs().log10().floor() - 1.0);
+    (x / unit).round() * unit
+}
+
+/// Below a hundredth of a percent the zeros before the digits have to be counted.
+const LEAST_IN_PERCENT: f64 = 0.999e-4;
+
 /// An angle in degrees with at most one decimal and the sign for degrees: `50°`, `12.5°`.
 #[must_use]
 pub fn degrees(angle_deg: f64) -> String {
@@ -139,6 +171,22 @@ mod tests {
         assert_eq!(value(-0.5), "-0.5");
         assert_eq!(degrees(-0.01), "0°");
         assert_eq!(degrees(12.54), "12.5°");
+    }
+
+    #[test]
+    fn shares_are_short() {
+        let cases = [
+            (0.223, "22 %"),
+            (0.01, "1 %"),
+            (0.0444, "4.4 %"),
+            (1e-4, "0.01 %"),
+            (0.0, "0 %"),
+            (7.71, "770 %"),
+            (2.16e-7, "2.2e-7"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(share(x).replace('\u{a0}', " "), text);
+        }
     }
 
     #[test]

@@ -206,7 +206,11 @@ fn what_was_panned_or_zoomed_is_reset() {
     for (view, canvas_name, label) in [
         ("polar", None, "Light in the polar plot"),
         ("cartesian", Some("Cartesian plot"), "Cartesian plot"),
-        ("tradeoff", Some("Trade-off"), "Line of the tolerance"),
+        (
+            "tradeoff",
+            Some("How to evaluate f"),
+            "Line of the tolerance",
+        ),
     ] {
         for is_zoomed in [false, true] {
             let mut harness = alone(view, "gold");

@@ -27,6 +27,7 @@ mod lobe;
 mod materials;
 mod number_field;
 mod numbers;
+mod numerics;
 mod overlay;
 mod picker;
 mod render;

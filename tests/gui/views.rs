@@ -5,25 +5,24 @@ use brdf_explorer::analysis::hemisphere::Comparison;
 use brdf_explorer::study::session::Session;
 use brdf_explorer::study::views::{
     Deltas, OfKind, ScaleChoice, VIEWS, cartesian, hemisphere, reflectance, sampling, sphere,
-    stability, tradeoff,
 };
 use brdf_explorer::ui::app::App;
 use egui::{Pos2, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::{choose, measure_tradeoff, picture, session};
+use super::{choose, picture, session};
 
 const SIZE: [u32; 2] = [640, 480];
 
-fn alone(shown: Session, id: &str) -> Harness<'static, App> {
+pub(super) fn alone(shown: Session, id: &str) -> Harness<'static, App> {
     picture(shown, Some(id), SIZE, Theme::Dark)
         .harness()
         .unwrap()
 }
 
 /// The options of the view of a kind.
-fn options<T: OfKind>(harness: &Harness<'_, App>) -> T {
+pub(super) fn options<T: OfKind>(harness: &Harness<'_, App>) -> T {
     harness.state().session.views.options()
 }
 
@@ -32,11 +31,11 @@ fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.run();
 }
 
-fn canvas(harness: &Harness<'_, App>, name: &str) -> egui::Rect {
+pub(super) fn canvas(harness: &Harness<'_, App>, name: &str) -> egui::Rect {
     harness.get_by_role_and_label(Role::Canvas, name).rect()
 }
 
-fn drag(harness: &mut Harness<'_, App>, handle: &str, to: Pos2) {
+pub(super) fn drag(harness: &mut Harness<'_, App>, handle: &str, to: Pos2) {
     let from = harness.get_by_label(handle).rect().center();
     harness.hover_at(from);
     harness.run();
@@ -49,7 +48,7 @@ fn drag(harness: &mut Harness<'_, App>, handle: &str, to: Pos2) {
     harness.run();
 }
 
-fn click_at(harness: &mut Harness<'_, App>, place: Pos2) {
+pub(super) fn click_at(harness: &mut Harness<'_, App>, place: Pos2) {
     harness.hover_at(place);
     harness.run();
     harness.drag_at(place);
@@ -59,7 +58,7 @@ fn click_at(harness: &mut Harness<'_, App>, place: Pos2) {
 }
 
 /// Whether a text with `part` in it is painted.
-fn paints(harness: &Harness<'_, App>, part: &str) -> bool {
+pub(super) fn paints(harness: &Harness<'_, App>, part: &str) -> bool {
     let shapes = harness.output().shapes.iter();
     shapes
         .map(|clipped| &clipped.shape)
@@ -227,105 +226,4 @@ fn parts_plots_and_factors_are_chosen() {
     choose(&mut harness, "Into", "D, G, F");
     let line = "No microfacet model among them: only those have D, G and F";
     assert!(harness.query_by_label(line).is_some());
-}
-
-#[test]
-fn the_tradeoff_is_measured_when_asked_for_and_its_tolerance_is_dragged() {
-    let mut harness = alone(session(&["gold"]), "tradeoff");
-    assert!(harness.query_by_label("The material as a whole").is_none());
-    measure_tradeoff(&mut harness);
-    assert!(harness.query_by_label("The material as a whole").is_some());
-    let before = options::<tradeoff::Options>(&harness).tolerance;
-    let handle = harness
-        .get_by_label("Line of the tolerance")
-        .rect()
-        .center();
-    let frame = canvas(&harness, "Trade-off");
-    drag(
-        &mut harness,
-        "Line of the tolerance",
-        handle + vec2(0.0, 0.2 * frame.height()),
-    );
-    let after = options::<tradeoff::Options>(&harness).tolerance;
-    assert!(after < 0.5 * before, "{before} {after}");
-}
-
-#[test]
-fn a_choice_of_the_tradeoff_becomes_a_material_that_is_compared() {
-    let mut harness = alone(session(&["gold"]), "tradeoff");
-    measure_tradeoff(&mut harness);
-    let frame = canvas(&harness, "Trade-off");
-    // The marks are found as by hand: where the pointer reads one out that loses something.
-    let places = (0..).map(|i| frame.min + vec2(5.0 * (i / 60) as f32, 5.0 * (i % 60) as f32));
-    let places = places.take_while(|place| place.x < frame.max.x);
-    let mark = places.filter(|place| frame.contains(*place)).find(|place| {
-        harness.hover_at(*place);
-        harness.run();
-        paints(&harness, "\nlost: ")
-    });
-    click_at(&mut harness, mark.unwrap());
-    let session = &harness.state().session;
-    let materials = &session.materials;
-    assert_eq!(materials.iter().count(), 2);
-    assert!(
-        materials.title(materials.selected()).starts_with("Gold: "),
-        "{}",
-        materials.title(materials.selected())
-    );
-    assert_eq!(materials.title(materials.reference()), "Gold");
-    let map: hemisphere::Options = session.views.options();
-    assert_eq!(map.comparison, Comparison::Difference);
-}
-
-#[test]
-fn the_advised_choice_is_used_and_then_offered_as_a_file() {
-    let mut shown = session(&["gold"]);
-    shown
-        .views
-        .each(|tradeoff: &mut tradeoff::Options| tradeoff.tolerance = 0.02);
-    let mut harness = alone(shown, "tradeoff");
-    measure_tradeoff(&mut harness);
-    assert!(harness.query_all_by_label("Save it…").next().is_none());
-    // The material as a whole comes first.
-    harness.query_all_by_label("Use it").next().unwrap().click();
-    harness.run();
-    let material = harness.state().session.material().clone();
-    assert!(material.name.starts_with("Gold: "), "{}", material.name);
-    assert!(harness.query_all_by_label("Save it…").next().is_some());
-}
-
-#[test]
-fn the_maps_of_errors_and_the_worst_points_lead_there() {
-    let mut harness = alone(session(&["rough_conductor:fresnel=one"]), "stability");
-    let before = harness.state().session.clone();
-    choose(&mut harness, "Across", "alpha");
-    choose(&mut harness, "Up", "90° − θo (°)");
-    let shown: stability::Options = options(&harness);
-    assert_eq!([&*shown.x, &*shown.y], ["alpha", "grazing_o"]);
-    // A place of the map is a width and an angle.
-    let map = canvas(&harness, "Map of f64");
-    click_at(&mut harness, map.left_top() + vec2(0.25, 0.5) * map.size());
-    let session = &harness.state().session;
-    let material = session.material().to_string();
-    assert!(material.contains("alpha_x=0.001"), "{material}");
-    assert_ne!(*session.material(), *before.material());
-    // A worst point is a pair.
-    let held = session.held();
-    let point = harness.query_all_by_label_contains("of its bound").nth(1);
-    point.unwrap().click();
-    harness.run();
-    assert_ne!(harness.state().session.held(), held);
-}
-
-#[test]
-fn formulas_on_trial_are_chosen() {
-    let mut harness = alone(session(&["gold"]), "stability");
-    choose(&mut harness, "Show", "Formulas on trial");
-    choose(&mut harness, "Formula", "GTR1 distribution of a clear coat");
-    assert_eq!(options::<stability::Options>(&harness).trial, "gtr1");
-    assert!(harness.query_by_label("Textbook").is_some());
-    let frame = canvas(&harness, "Formulas on trial");
-    harness.hover_at(frame.center());
-    harness.run();
-    assert!(paints(&harness, "textbook: "));
 }

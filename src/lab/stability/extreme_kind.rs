@@ -114,7 +114,7 @@ impl ExtremeKind {
             Self::Reciprocity => "Reciprocity",
             Self::Jumps => "Jumps",
             Self::Random => "Chance",
-            Self::Climb => "Uphill from the worst",
+            Self::Climb => "Worst found by search",
             Self::Crowd => "Crowd",
         }
     }

@@ -50,7 +50,7 @@ pub fn advise(report: &Report, tolerance: f64) -> Vec<Advice> {
 
 /// The choices for the material as it is used: the number formats of the exact material, and its stand-ins with the error
 /// that they have in the precision in which their cost was measured.
-fn whole(families: &[FamilyReport]) -> Vec<Point> {
+pub(super) fn whole(families: &[FamilyReport]) -> Vec<Point> {
     let of_material = || families.iter().filter(|family| family.is_of_material);
     // Number formats: what they say of the material itself need not be said again.
     let is_format = |point: &Point| point.error_rms_f32.is_none() && point.lost.is_none();
@@ -70,16 +70,27 @@ fn whole(families: &[FamilyReport]) -> Vec<Point> {
     points.filter_map(as_used).collect()
 }
 
+/// The cheapest of `points` within `tolerance`.
+pub(super) fn cheapest<'a>(
+    points: impl IntoIterator<Item = &'a Point>,
+    tolerance: f64,
+) -> Option<&'a Point> {
+    let within = points
+        .into_iter()
+        .filter(|point| point.error_rms <= tolerance);
+    within.min_by(|a, b| a.cost_ns.total_cmp(&b.cost_ns))
+}
+
+/// The point of the smallest error.
+pub(super) fn nearest(points: &[Point]) -> Option<&Point> {
+    let points = points.iter();
+    points.min_by(|a, b| a.error_rms.total_cmp(&b.error_rms))
+}
+
 /// The cheapest of `points` within `tolerance`, or the nearest.
 fn best(family: &'static str, points: &[Point], tolerance: f64) -> Option<Advice> {
-    let within = points.iter().filter(|point| point.error_rms <= tolerance);
-    let cheapest = within.min_by(|a, b| a.cost_ns.total_cmp(&b.cost_ns));
-    let nearest = || {
-        points
-            .iter()
-            .min_by(|a, b| a.error_rms.total_cmp(&b.error_rms))
-    };
-    let point = cheapest.or_else(nearest)?;
+    let cheapest = cheapest(points, tolerance);
+    let point = cheapest.or_else(|| nearest(points))?;
     Some(Advice {
         tolerance,
         family,

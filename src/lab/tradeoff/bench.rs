@@ -138,6 +138,7 @@ pub fn measure(
         listener,
         report: Report {
             material: study.material.clone(),
+            held: study.held,
             families: Vec::new(),
         },
         done: 0.0,

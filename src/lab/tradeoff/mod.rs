@@ -19,14 +19,16 @@ mod stand_ins;
 mod study;
 pub mod table;
 mod tables;
+mod verdict;
 
 pub use advice::{Advice, DEFAULT_TOLERANCES, WHOLE, advise};
 pub use bench::{Bench, Family, measure};
 pub use errors::{Errors, Pair, colour_difference};
 pub use probe::LIGHT;
-pub use report::{CostUnit, FamilyReport, Point, Report, Slopes};
+pub use report::{CostUnit, FamilyReport, Point, Question, Report, Slopes};
 pub use request::Request;
 pub use study::{DIRECTION_DEG, Stop, Study};
+pub use verdict::{Verdict, verdict};
 
 /// Every family, in the order in which they are measured and shown.
 pub static FAMILIES: [&dyn Family; 6] = [

@@ -1,5 +1,6 @@
 //! What was measured: the points of each family, with their costs and errors.
 
+use glam::DVec3;
 use serde::Serialize;
 
 use super::errors::{Errors, Pair};
@@ -16,6 +17,40 @@ pub enum CostUnit {
     Estimate,
     /// Making what is drawn.
     Build,
+}
+
+/// What is to be chosen. Choices that answer one question have costs of one thing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Question {
+    /// By which formula, in which numbers f is computed.
+    Evaluate,
+    /// How f is summed or sampled over directions.
+    Integrate,
+}
+
+impl Question {
+    /// All of them, in the order of reports.
+    pub const ALL: [Self; 2] = [Self::Evaluate, Self::Integrate];
+
+    /// The question at the screen.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Evaluate => "How to evaluate f",
+            Self::Integrate => "How to integrate it",
+        }
+    }
+}
+
+impl CostUnit {
+    /// The question that choices with such a cost answer.
+    #[must_use]
+    pub const fn question(self) -> Question {
+        match self {
+            Self::Evaluation => Question::Evaluate,
+            Self::Estimate | Self::Build => Question::Integrate,
+        }
+    }
 }
 
 /// A choice with what it costs and how far it is off.
@@ -154,6 +189,8 @@ pub type Slopes = std::collections::BTreeMap<String, Option<f64>>;
 pub struct Report {
     /// The material.
     pub material: Material,
+    /// The direction from which it was seen where reflectances were estimated, a unit vector.
+    pub held: DVec3,
     /// The families asked for.
     pub families: Vec<FamilyReport>,
 }

@@ -31,9 +31,20 @@ words! {
     Plot {
         /// Errors of the selected material over two axes.
         #[default]
-        Map = "Errors over two axes",
+        Map = "This material",
         /// The errors of textbooks' formulas and of the core's.
-        Formulas = "Formulas on trial",
+        Formulas = "Formulas compared",
+    }
+}
+
+words! {
+    /// How formulas compared are shown.
+    Trial {
+        /// Curves of both forms along the parameter.
+        #[default]
+        Curves = "Curves",
+        /// Maps of them over both arguments, where there are two.
+        Maps = "Maps",
     }
 }
 
@@ -46,7 +57,7 @@ words! {
         /// Shares of the value.
         Relative = "Relative",
         /// Shares of what the stability law allows.
-        Bound = "Of its bound",
+        Bound = "Of what rounding explains",
     }
 }
 
@@ -64,8 +75,10 @@ pub struct Options {
     pub unit: ErrorUnit,
     /// Whether lines of equal condition number are drawn.
     pub has_contours: bool,
-    /// The id of the formula on trial.
+    /// The id of the formula compared.
     pub trial: String,
+    /// How it is shown.
+    pub trial_as: Trial,
 }
 
 impl Default for Options {
@@ -77,6 +90,7 @@ impl Default for Options {
             unit: ErrorUnit::default(),
             has_contours: true,
             trial: "ggx".to_owned(),
+            trial_as: Trial::default(),
         }
     }
 }

@@ -1,23 +1,27 @@
-//! Formulas compared: the errors of the textbook's form and of the core's along a parameter.
+//! Formulas compared in words: which, how far each form is off, and why.
+
+use std::sync::Arc;
 
 use egui::{RichText, Ui};
 
 use super::super::context::ViewContext;
-use crate::theme::{self, Dash};
-use crate::widgets::chart::{Axis, Chart, Series};
-use crate::widgets::draw;
+use super::plate;
 use bxdf_lab::formula_comparison::{COMPARISONS, Comparison, Outcome};
 use bxdf_study::format;
-use bxdf_study::views::stability::Options;
+use bxdf_study::memo::Memo;
+use bxdf_study::views::stability::{Options, Trial};
 
 /// Values tried along the parameter.
 const COUNT: usize = 240;
 
-/// The errors that are drawn: an exact result stands at the lower end, one that is no number at the upper.
-const ERRORS: [f64; 2] = [1e-18, 10.0];
-
 /// Room below the chart for the words, in points.
-const WORDS: f32 = 84.0;
+pub(super) const WORDS: f32 = 84.0;
+
+/// Room for why alone.
+pub(super) const BRIEF_WORDS: f32 = 36.0;
+
+/// What is known along the parameter of a comparison.
+pub(super) type Curve = Vec<(f64, Outcome)>;
 
 /// The comparison of this id, the first where there is none.
 pub(super) fn chosen(id: &str) -> &'static Comparison {
@@ -28,66 +32,61 @@ pub(super) fn chosen(id: &str) -> &'static Comparison {
         .unwrap_or(first)
 }
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    let comparison = chosen(&cx.options.trial);
-    let outcomes: Vec<(f64, Outcome)> = comparison.curve(COUNT).collect();
-    let line = |of: &dyn Fn(&Outcome) -> f64| -> Vec<[f64; 2]> {
-        let place = |(x, outcome): &(f64, Outcome)| [*x, of(outcome).clamp(ERRORS[0], ERRORS[1])];
-        outcomes.iter().map(place).collect()
+/// Whether maps are shown of the formula chosen: it has two arguments, and they are wanted.
+pub(super) fn are_mapped(options: &Options) -> bool {
+    options.trial_as == Trial::Maps && chosen(&options.trial).second.is_some()
+}
+
+/// What is known along the parameter of the formula, kept until another one is chosen.
+pub(super) fn curve(
+    cx: &mut ViewContext<'_, Options>,
+    comparison: &'static Comparison,
+) -> Arc<Curve> {
+    let kept: &mut Memo<&str, Curve> = cx.state.own(cx.view);
+    kept.get(comparison.id, || comparison.curve(COUNT).collect())
+}
+
+/// How far both forms are off at their worst, and where.
+pub(super) fn verdict(comparison: &Comparison, curve: &Curve) -> String {
+    let largest = |of: &dyn Fn(&Outcome) -> f64| {
+        let errors = curve.iter().map(|(x, outcome)| (*x, of(outcome)));
+        errors
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or_default()
     };
-    let [bad, good] = [cx.palette.warning, cx.palette.kept];
-    let series = |name: &str, color, dash, of: &dyn Fn(&Outcome) -> f64| Series {
-        name: name.to_owned(),
-        color,
-        dash,
-        width: theme::CURVE_WIDTH,
-        lines: vec![line(of)],
-    };
-    let mut chart = Chart::of(
-        "Formulas on trial",
-        [
-            Axis {
-                is_logarithmic: true,
-                ..Axis::linear(comparison.axis, comparison.range)
-            },
-            Axis {
-                is_logarithmic: true,
-                ..Axis::linear("relative error", ERRORS)
-            },
-        ],
-        vec![
-            series("textbook, f32", bad, Dash::Solid, &|outcome| {
-                outcome.textbook[0]
-            }),
-            series("textbook, f64", bad, Dash::Dashed, &|outcome| {
-                outcome.textbook[1]
-            }),
-            series("core, f32", good, Dash::Solid, &|outcome| outcome.stable[0]),
-            series("core, f64", good, Dash::Dashed, &|outcome| {
-                outcome.stable[1]
-            }),
-            series("bound, f32", cx.palette.axis, Dash::Dotted, &|outcome| {
-                outcome.allowed[0]
-            }),
-            series("bound, f64", cx.palette.axis, Dash::Dotted, &|outcome| {
-                outcome.allowed[1]
-            }),
-        ],
-    );
-    chart.has_names = true;
-    let height = (ui.available_height() - WORDS).max(0.6 * ui.available_height());
-    let shown = chart.show(ui, Some(height), cx.palette);
-    if let Some(pointer) = shown.response.hover_pos() {
-        let [x, _] = chart.value_at(&shown, pointer);
-        let [from, to] = comparison.range;
-        let text = read_out(comparison, x.clamp(from, to));
-        draw::pointer_note(ui, pointer, shown.frame(), &text, cx.palette);
+    let (x, single) = largest(&|outcome| outcome.textbook[0]);
+    let (_, double) = largest(&|outcome| outcome.textbook[1]);
+    let [own_single, own_double] =
+        [0, 1].map(|p| largest(&|outcome| plate::of(outcome.stable, p)).1);
+    format!(
+        "{}: in f32 the textbook's form {} ({}: {}), the core's by {} at most; in f64 it {}, the core's by {}",
+        comparison.title,
+        wrong(single),
+        comparison.axis_of_curve(),
+        format::value(x),
+        format::share(own_single),
+        wrong(double),
+        format::share(own_double),
+    )
+}
+
+/// An error in words.
+fn wrong(error: f64) -> String {
+    if error.is_finite() {
+        format!("is wrong by up to {}", format::share(error))
+    } else {
+        "gives no number".to_owned()
     }
-    for (name, text) in [
+}
+
+/// Both forms, and why one of them loses its digits; that alone where it `is_brief`.
+pub(super) fn words(ui: &mut Ui, comparison: &Comparison, is_brief: bool) {
+    let all = [
         ("Textbook", comparison.textbook),
         ("Core", comparison.stable),
         ("Why", comparison.why),
-    ] {
+    ];
+    for (name, text) in all.into_iter().skip(if is_brief { 2 } else { 0 }) {
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(name).small().strong());
             ui.label(RichText::new(text).small());
@@ -95,8 +94,8 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
 }
 
-fn read_out(comparison: &Comparison, x: f64) -> String {
-    let outcome = comparison.at(x);
+/// The errors of both forms where the parameter is `x`.
+pub(super) fn outcome_in_words(comparison: &Comparison, x: f64, outcome: &Outcome) -> String {
     let line = |name: &str, of: [f64; 2]| {
         let [single, double] = of.map(format::value);
         format!("{name}: {single} in f32, {double} in f64")

@@ -1,30 +1,79 @@
 //! The stability: where floating point gives out for the selected material, and why formulas are written as they are.
 
+mod formula_curves;
+mod formula_maps;
 mod formulas;
 mod map;
 mod pair;
+mod plate;
+mod verdict;
 mod worst;
 
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use super::context::ViewContext;
+use super::settings;
 use crate::theme;
 use crate::widgets::{choice, draw};
 use bxdf_lab::formula_comparison::COMPARISONS;
 use bxdf_lab::stability::map::Axis;
 use bxdf_study::session::Session;
-use bxdf_study::views::stability::{ErrorUnit, Options, Plot};
+use bxdf_study::views::stability::{ErrorUnit, Options, Plot, Trial};
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    controls(ui, cx.session, cx.options);
-    match cx.options.plot {
-        Plot::Formulas => formulas::show(ui, cx),
-        Plot::Map if cx.session.material().is_delta_only() => {
-            let note = "All light is in Dirac deltas: f and the density are 0 everywhere";
-            draw::centred_note(ui, note);
-        }
-        Plot::Map => maps_and_list(ui, cx),
+    if !cx.state.is_picture {
+        tabs(ui, cx.options);
     }
+    settings::show(ui, cx, |ui, cx| controls(ui, cx.session, cx.options));
+    match cx.options.plot {
+        Plot::Formulas => formula(ui, cx),
+        Plot::Map => {
+            verdict::show(ui, cx);
+            if cx.session.material().is_delta_only() {
+                let note = "No map: a delta has a direction and a share, and no value to be off";
+                draw::centred_note(ui, note);
+            } else {
+                maps_and_list(ui, cx);
+            }
+        }
+    }
+}
+
+/// The formula chosen: how far its forms are off, in a sentence and in pictures, and why.
+fn formula(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+    let comparison = formulas::chosen(&cx.options.trial);
+    let curve = formulas::curve(cx, comparison);
+    ui.label(formulas::verdict(comparison, &curve));
+    let room = ui.available_height();
+    let is_brief = room < theme::LIST_BELOW;
+    let height = room
+        - if is_brief {
+            formulas::BRIEF_WORDS
+        } else {
+            formulas::WORDS
+        };
+    if formulas::are_mapped(cx.options) {
+        formula_maps::show(ui, cx, comparison, height);
+    } else {
+        formula_curves::show(ui, cx, comparison, height);
+    }
+    formulas::words(ui, comparison, is_brief);
+}
+
+/// What the view is of, always in sight.
+fn tabs(ui: &mut Ui, options: &mut Options) {
+    ui.horizontal(|ui| {
+        for (plot, hint) in [
+            (Plot::Map, "Where digits of the selected material are lost"),
+            (
+                Plot::Formulas,
+                "Formulas as textbooks have them and as they are computed here: which of them keep their digits",
+            ),
+        ] {
+            let tab = ui.selectable_value(&mut options.plot, plot, plot.title());
+            tab.on_hover_text(hint);
+        }
+    });
 }
 
 /// The maps, with the list of the worst points beside or below them.
@@ -47,30 +96,41 @@ fn maps_and_list(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 }
 
 fn controls(ui: &mut Ui, session: &Session, options: &mut Options) {
-    let axes = Axis::all(session.material());
-    let (x, y) = options.axes(session);
-    let selected = session.materials.title(session.materials.selected());
     ui.horizontal_wrapped(|ui| {
-        let hint = "The selected material over two axes, or the forms of formulas that keep or lose \
-            their digits";
-        choice::choice(ui, ("Show", hint), &mut options.plot, Plot::ALL, Plot::title);
-        if options.plot == Plot::Formulas {
-            formula_choice(ui, &mut options.trial);
-            return;
+        match options.plot {
+            Plot::Formulas => {
+                formula_choice(ui, options);
+                if !formulas::are_mapped(options) {
+                    return;
+                }
+            }
+            Plot::Map => axes_choice(ui, session, options),
         }
-        let hint = "What varies along the horizontal axis; all else is fixed";
-        axis_choice(ui, ("Across", hint), &mut options.x, &x, &axes);
-        let hint = "What runs upwards";
-        axis_choice(ui, ("Up", hint), &mut options.y, &y, &axes);
         let hint = "In units of u, the rounding of one operation (6e-8 in f32, 1.1e-16 in f64); as a \
             share of the value; or over what the stability law allows, 16 (1 + κ) u: above 1 the \
             formula is to blame, not the inputs";
-        choice::choice(ui, ("Errors", hint), &mut options.unit, ErrorUnit::ALL, ErrorUnit::title);
-        let hint = "Lines of equal condition number κ, one for each decade: how much the rounding \
-            of the inputs is multiplied";
-        choice::switch(ui, ("κ", hint), &mut options.has_contours);
-        ui.label(RichText::new(selected).weak());
+        choice::choice(
+            ui,
+            ("Errors", hint),
+            &mut options.unit,
+            ErrorUnit::ALL,
+            ErrorUnit::title,
+        );
+        if options.plot == Plot::Map {
+            let hint = "Lines of equal condition number κ, one for each decade: how much the rounding \
+                of the inputs is multiplied";
+            choice::switch(ui, ("κ", hint), &mut options.has_contours);
+        }
     });
+}
+
+fn axes_choice(ui: &mut Ui, session: &Session, options: &mut Options) {
+    let axes = Axis::all(session.material());
+    let (x, y) = options.axes(session);
+    let hint = "What varies along the horizontal axis; all else is fixed";
+    axis_choice(ui, ("Across", hint), &mut options.x, &x, &axes);
+    let hint = "What runs upwards";
+    axis_choice(ui, ("Up", hint), &mut options.y, &y, &axes);
 }
 
 fn axis_choice(
@@ -91,8 +151,8 @@ fn axis_choice(
     }
 }
 
-fn formula_choice(ui: &mut Ui, chosen: &mut String) {
-    let shown = formulas::chosen(chosen);
+fn formula_choice(ui: &mut Ui, options: &mut Options) {
+    let shown = formulas::chosen(&options.trial);
     let mut id = shown.id;
     let hint = "A quantity as textbooks write it, and as the core computes it";
     choice::named_combo(ui, ("Formula", "Formula", hint), shown.title, |ui| {
@@ -101,6 +161,16 @@ fn formula_choice(ui: &mut Ui, chosen: &mut String) {
         }
     });
     if id != shown.id {
-        id.clone_into(chosen);
+        id.clone_into(&mut options.trial);
     }
+    let hint = "Along one argument, or over both, where the formula has two";
+    ui.add_enabled_ui(shown.second.is_some(), |ui| {
+        choice::choice(
+            ui,
+            ("As", hint),
+            &mut options.trial_as,
+            Trial::ALL,
+            Trial::title,
+        );
+    });
 }

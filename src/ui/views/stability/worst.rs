@@ -14,8 +14,8 @@ const ROWS: usize = 12;
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let selected = cx.session.materials.selected();
     let found = cx.answers.ask(cx.session, selected, Ranking);
-    let hint = "Where the error uses up most of what the stability law allows, at every extreme of \
-        directions; a click holds that pair in every view";
+    let hint = "Where the error uses up most of what the stability law allows for the rounding of the inputs, at \
+        every extreme of directions; a click holds that pair in every view";
     ui.label(RichText::new("Worst points").strong())
         .on_hover_text(hint);
     if found.is_empty() {
@@ -25,7 +25,9 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let faults: u64 = found.iter().map(Extreme::faults).sum();
     let points: u64 = found.iter().map(|extreme| extreme.n).sum();
     let line = if faults == 0 {
-        format!("{points} points: all finite, none negative")
+        format!(
+            "Errors as shares of what rounding explains; {points} points, all finite, none negative"
+        )
     } else {
         format!("{faults} of {points} points are not finite, negative or misplaced")
     };
@@ -54,10 +56,10 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
                     continue;
                 };
                 let text = format!(
-                    "{} in {}: {} of its bound",
+                    "{}, {}: {}",
                     case.title(),
                     extreme.precision,
-                    format::value(extreme.max_bound_ratio)
+                    format::share(extreme.max_bound_ratio)
                 );
                 let text = RichText::new(text).small();
                 let text = if extreme.is_stable() {

@@ -18,22 +18,11 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Repo
     // The answer for the material as a whole comes first.
     advice.sort_by_key(|one| one.family != WHOLE);
     ScrollArea::vertical().id_salt("advice").show(ui, |ui| {
-        let heading = format!("Cheapest within {}", format::value(tolerance));
+        let heading = format!("Cheapest within {}", format::share(tolerance));
         ui.label(RichText::new(heading).strong());
         for one in &advice {
             ui.separator();
             entry(ui, cx, report, one);
-        }
-        for family in &report.families {
-            if let Some(reason) = &family.not_applicable {
-                ui.separator();
-                ui.label(RichText::new(family.title).small().strong());
-                ui.label(
-                    RichText::new(format!("does not apply: {reason}"))
-                        .small()
-                        .weak(),
-                );
-            }
         }
     });
 }
@@ -65,20 +54,21 @@ fn entry(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report, advice
     if let Some(lost) = &advice.lost {
         ui.label(RichText::new(format!("lost: {lost}")).small().weak());
     }
-    if let Some(material) = &advice.material
-        && *material != report.material
-    {
+    if let Some(material) = &advice.material {
         use_or_save(ui, cx, report, material);
     }
 }
 
-/// The button that makes a choice a material of the list, or saves it once it is the selected one.
-fn use_or_save(
+/// The button that makes a choice a material of the list, or saves it once it is the selected one; none for what was measured.
+pub(super) fn use_or_save(
     ui: &mut Ui,
     cx: &mut ViewContext<'_, Options>,
     report: &Report,
     material: &Material,
 ) {
+    if *material == report.material || cx.state.is_picture {
+        return;
+    }
     if cx.session.material().components() == material.components() {
         let hint = "Save the selected material to a file";
         if ui.small_button("Save it…").on_hover_text(hint).clicked() {

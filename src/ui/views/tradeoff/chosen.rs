@@ -5,7 +5,7 @@ use crate::theme::Palette;
 use bxdf::Material;
 use bxdf_lab::analysis::hemisphere::Comparison;
 use bxdf_lab::contract::Witness;
-use bxdf_lab::tradeoff::Point;
+use bxdf_lab::tradeoff::{FAMILIES, Family, Point};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{EntryId, MaterialEntry, Materials};
 use bxdf_study::views::hemisphere;
@@ -14,9 +14,15 @@ use bxdf_study::views::tradeoff::Options;
 /// The choice last clicked at: its family and its place there.
 pub(super) type Chosen = Option<(&'static str, usize)>;
 
-/// The colour and the mark of the family at `index` of the list.
-pub(super) fn look(index: usize, palette: &Palette) -> (egui::Color32, egui_plot::MarkerShape) {
+/// The colour and the mark of the family of this id: its own among those that answer the same question.
+pub(super) fn look(id: &str, palette: &Palette) -> (egui::Color32, egui_plot::MarkerShape) {
     use egui_plot::MarkerShape::{Circle, Cross, Diamond, Down, Square, Up};
+    let of = |family: &&dyn Family| family.cost_unit().question();
+    let own = FAMILIES.into_iter().find(|family| family.id() == id);
+    let mut alike = FAMILIES
+        .into_iter()
+        .filter(|family| own.as_ref().is_some_and(|own| of(own) == of(family)));
+    let index = alike.position(|family| family.id() == id).unwrap_or(0);
     let shapes = [Circle, Square, Diamond, Up, Down, Cross];
     let shape = shapes.get(index % shapes.len()).copied().unwrap_or(Circle);
     (palette.kind(index), shape)

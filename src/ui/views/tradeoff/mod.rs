@@ -1,21 +1,28 @@
-//! The trade-off: error over cost of every choice, and the cheapest that is good enough.
+//! The trade-off: the cheapest choice that is good enough, and error over cost of every one.
 
 mod advice;
+mod charts;
 mod chosen;
 mod plot;
+mod verdict;
 
-use chosen::{Chosen, look};
+use chosen::Chosen;
 
-use egui::{ProgressBar, RichText, Ui};
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{PopupCloseBehavior, ProgressBar, RichText, Ui};
 
 use super::context::ViewContext;
+use super::settings;
 use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::{choice, draw};
-use bxdf_lab::tradeoff::{FAMILIES, Report, Request};
+use bxdf_lab::tradeoff::{FAMILIES, Family, Question, Report, Request};
 use bxdf_study::answers::Ordered;
 use bxdf_study::jobs::Part;
 use bxdf_study::views::tradeoff::{Options, TOLERANCE, request};
+
+/// From this height on there is a list below the charts, in points: two of them take more room than one.
+const LIST_BELOW: f32 = 1.5 * theme::LIST_BELOW;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let is_wanted = cx.options.is_immediate && !ui.ctx().egui_is_using_pointer();
@@ -23,8 +30,11 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         start(cx);
     }
     let ordered = cx.answers.ordered::<Request>();
-    controls(ui, cx, ordered.as_ref());
+    if !cx.state.is_picture {
+        measuring(ui, cx, ordered.as_ref());
+    }
     let report = ordered.as_ref().and_then(|ordered| ordered.answer.clone());
+    settings::show(ui, cx, |ui, cx| controls(ui, cx, report.as_deref()));
     let Some(report) = report.filter(|report| !report.families.is_empty()) else {
         let note = match ordered {
             Some(_) => "Finding where the material sends its light …",
@@ -36,19 +46,30 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         draw::centred_note(ui, note);
         return;
     };
+    let shown = cx.options.wanted(&report).into_owned();
+    let is_awaited = ordered.is_some_and(|ordered| ordered.is_awaited);
+    let is_beside = ui.available_width() > theme::ADVICE_BESIDE;
+    let has_list = is_beside || ui.available_height() > LIST_BELOW;
+    verdict::show(ui, cx, &shown, (is_awaited, has_list));
+    if shown.families.iter().all(|family| family.points.is_empty()) {
+        return;
+    }
     let room = ui.available_size();
-    let is_wide = room.x > theme::ADVICE_BESIDE;
-    if is_wide {
+    if is_beside {
         ui.horizontal_top(|ui| {
             ui.allocate_ui(egui::vec2(room.x - theme::ADVICE_WIDTH, room.y), |ui| {
-                ui.vertical(|ui| plot::show(ui, cx, &report));
+                ui.vertical(|ui| charts::show(ui, cx, &shown));
             });
-            ui.vertical(|ui| advice::show(ui, cx, &report));
+            ui.vertical(|ui| advice::show(ui, cx, &shown));
         });
+    } else if !has_list {
+        charts::show(ui, cx, &shown);
     } else {
         let height = room.y * theme::CHART_SHARE;
-        ui.allocate_ui(egui::vec2(room.x, height), |ui| plot::show(ui, cx, &report));
-        advice::show(ui, cx, &report);
+        ui.allocate_ui(egui::vec2(room.x, height), |ui| {
+            charts::show(ui, cx, &shown);
+        });
+        advice::show(ui, cx, &shown);
     }
 }
 
@@ -65,8 +86,8 @@ fn start(cx: &mut ViewContext<'_, Options>) {
     cx.answers.order(cx.session.materials.selected(), request);
 }
 
-/// The buttons, how far it is, and what is measured.
-fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, ordered: Option<&Ordered<Report>>) {
+/// The button that begins or ends it, how far it is, and what is measured: always in sight.
+fn measuring(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, ordered: Option<&Ordered<Report>>) {
     let is_running = ordered.is_some_and(|ordered| ordered.is_awaited);
     ui.horizontal_wrapped(|ui| {
         if is_running {
@@ -84,15 +105,6 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, ordered: Option<&Ord
                 start(cx);
             }
         }
-        let options = &mut *cx.options;
-        let hint = "The largest relative error (root mean square) that is good enough; the line \
-            in the plot can be dragged";
-        ui.label("Tolerance").on_hover_text(hint);
-        let number = Number::new("Tolerance", TOLERANCE).logarithmic(true);
-        let shown = number.field(ui, &mut options.tolerance);
-        shown.on_hover_text(hint).explain(ui);
-        let hint = "Measure whenever another material is selected, or it changes";
-        choice::switch(ui, ("At once", hint), &mut options.is_immediate);
         if let Some(ordered) = ordered {
             let material = &ordered.surface.material;
             let title = material.title();
@@ -105,11 +117,27 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, ordered: Option<&Ord
             ui.label(RichText::new(text).weak());
         }
     });
-    families(
-        ui,
-        cx,
-        ordered.and_then(|ordered| ordered.answer.as_deref()),
-    );
+}
+
+/// The settings.
+fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: Option<&Report>) {
+    ui.horizontal_wrapped(|ui| {
+        let options = &mut *cx.options;
+        let hint = "The largest relative error (root mean square) that is good enough; the line \
+            in the plots can be dragged";
+        ui.label("Tolerance").on_hover_text(hint);
+        let number = Number::new("Tolerance", TOLERANCE).logarithmic(true);
+        let shown = number.field(ui, &mut options.tolerance);
+        shown.on_hover_text(hint).explain(ui);
+        let hint = "Measure whenever another material is selected, or it changes";
+        let named = ("Measure automatically", hint);
+        choice::switch(ui, named, &mut options.is_immediate);
+        let about = report.filter(|report| report.material == *cx.session.material());
+        let menu = MenuButton::new("Choices")
+            .config(MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside));
+        let (response, _) = menu.ui(ui, |ui| families(ui, options, about));
+        response.on_hover_text("Which families of choices are measured and shown");
+    });
 }
 
 /// How far it is; no part is known yet at first.
@@ -123,45 +151,32 @@ fn progress(ui: &mut Ui, part: Option<Part>) {
     ui.add(bar.desired_width(theme::PROGRESS_WIDTH).text(text));
 }
 
-/// The families: each with its mark and whether it is wanted.
-fn families(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: Option<&Report>) {
-    let options = &mut *cx.options;
-    ui.horizontal_wrapped(|ui| {
-        for (index, family) in FAMILIES.iter().enumerate() {
-            let (color, _) = look(index, cx.palette);
-            let known = report.and_then(|report| {
-                let mut families = report.families.iter();
-                families.find(|known| known.id == family.id())
-            });
-            let reason = known.and_then(|known| known.not_applicable.as_ref());
-            let hint = match (reason, known) {
-                (Some(reason), _) => format!("Does not apply: {reason}"),
-                (None, Some(known)) => format!("Held against: {}", known.reference),
-                (None, None) => "Whether it is measured and shown".to_owned(),
-            };
-            let width = theme::LINE_SAMPLE + choice::small_switch_width(ui, family.title());
-            choice::keep_together(ui, width);
-            let ink = cx.palette.text_in(color);
-            let text = RichText::new(family.title()).small().color(ink);
-            let text = if reason.is_some() {
-                text.strikethrough()
-            } else {
-                text
-            };
+/// The families that may apply, and whether each is wanted; `report`: what is known of the selected material.
+fn families(ui: &mut Ui, options: &mut Options, report: Option<&Report>) {
+    let known = |family: &dyn Family| {
+        let mut families = report?.families.iter();
+        families.find(|known| known.id == family.id())
+    };
+    for question in Question::ALL {
+        ui.label(RichText::new(question.title()).small().strong());
+        for family in FAMILIES {
+            let known = known(family);
+            let is_out = known.is_some_and(|known| known.not_applicable.is_some());
+            if is_out || family.cost_unit().question() != question {
+                continue;
+            }
+            let hint = known.map_or_else(
+                || "Whether it is measured and shown".to_owned(),
+                |known| format!("Held against: {}", known.reference),
+            );
             let mut is_wanted = options.wants(family.id());
-            ui.horizontal(|ui| {
-                plot::sample(ui, index, cx.palette);
-                if ui
-                    .checkbox(&mut is_wanted, text)
-                    .on_hover_text(hint)
-                    .changed()
-                {
-                    options.left_out.retain(|id| id != family.id());
-                    if !is_wanted {
-                        options.left_out.push(family.id().to_owned());
-                    }
+            let switch = ui.checkbox(&mut is_wanted, family.title());
+            if switch.on_hover_text(hint).changed() {
+                options.left_out.retain(|id| id != family.id());
+                if !is_wanted {
+                    options.left_out.push(family.id().to_owned());
                 }
-            });
+            }
         }
-    });
+    }
 }

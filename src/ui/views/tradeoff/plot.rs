@@ -1,4 +1,4 @@
-//! The picture: error over cost, both by decades.
+//! A chart: error over cost, both logarithmic.
 
 use std::fmt::Write as _;
 
@@ -7,9 +7,9 @@ use egui::{Rect, Sense, Ui, vec2};
 use super::super::context::ViewContext;
 use super::chosen::{Chosen, choose, look};
 use crate::theme::{self, Dash, Palette};
-use crate::widgets::chart::{Axis, Chart, Dots, Mark, Series};
+use crate::widgets::chart::{Axis, Chart, Dots, Mark, Series, Shown};
 use crate::widgets::{draw, handle};
-use bxdf_lab::tradeoff::{FAMILIES, FamilyReport, Point, Report};
+use bxdf_lab::tradeoff::{FamilyReport, Point, Question, Report};
 use bxdf_study::format;
 use bxdf_study::views::tradeoff::{Options, TOLERANCE};
 
@@ -26,16 +26,17 @@ struct Drawn<'a> {
     points: Vec<(usize, &'a Point)>,
 }
 
-pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report) {
-    let options = &*cx.options;
+/// Draws the chart of `families`, which answer one question, over these errors and of this height.
+pub(super) fn show(
+    ui: &mut Ui,
+    cx: &mut ViewContext<'_, Options>,
+    report: &Report,
+    (question, families): (Question, &[&FamilyReport]),
+    (errors, height): (&Axis, f32),
+) {
     let (mut drawn, mut dots, mut series) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, spec) in FAMILIES.iter().enumerate() {
-        let is_wanted = options.wants(spec.id());
-        let mut families = report.families.iter();
-        let Some(family) = families.find(|family| is_wanted && family.id == spec.id()) else {
-            continue;
-        };
-        let (color, shape) = look(index, cx.palette);
+    for family in families.iter().copied() {
+        let (color, shape) = look(family.id, cx.palette);
         for is_front in [false, true] {
             let numbered = family.points.iter().enumerate();
             let points: Vec<_> = numbered
@@ -63,11 +64,12 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Repo
         .iter()
         .flat_map(|dots| dots.points.iter().copied())
         .collect();
-    let tolerance = options.tolerance;
-    let mut chart = Chart::of("Trade-off", axes(&places, tolerance), series);
+    let tolerance = cx.options.tolerance;
+    let axes = [costs(&places, question), errors.clone()];
+    let mut chart = Chart::of(question.title(), axes, series);
     chart.dots = dots;
     chart.levels.push(Mark {
-        name: format!("tolerance {}", format::value(tolerance)),
+        name: format!("tolerance {}", format::share(tolerance)),
         at: tolerance,
         color: cx.palette.ink,
         dash: Dash::Dashed,
@@ -80,10 +82,10 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Repo
             dash: Dash::Dotted,
         });
     }
-    let shown = chart.show(ui, None, cx.palette);
-    drag_tolerance(ui, cx, &chart, &shown);
+    let shown = chart.show(ui, Some(height), cx.palette);
+    drag_tolerance(ui, cx, question, (&chart, &shown));
     if let Some((family, index)) = *cx.state.own::<Chosen>(cx.view) {
-        let chosen = report.families.iter().find(|one| one.id == family);
+        let chosen = families.iter().find(|one| one.id == family);
         if let Some(point) = chosen.and_then(|family| family.points.get(index)) {
             let at = chart.position_of(&shown, place(point));
             ui.painter_at(shown.frame())
@@ -135,48 +137,62 @@ fn front(family: &FamilyReport) -> Vec<[f64; 2]> {
     steps
 }
 
-/// Axes that hold all `places` and the tolerance, to whole decades.
-fn axes(places: &[[f64; 2]], tolerance: f64) -> [Axis; 2] {
-    let decades = |values: &mut dyn Iterator<Item = f64>, least: f64| -> [f64; 2] {
-        let (low, high) = values
-            .filter(|x| x.is_finite() && *x > 0.0)
-            .fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
-        if low > high {
-            return [1.0, 1e3];
-        }
+/// A logarithmic axis from `least` or above that holds all values that can stand on it, to whole decades.
+fn axis(name: &str, values: impl Iterator<Item = f64>, least: f64) -> Axis {
+    let (low, high) = values
+        .filter(|x| x.is_finite() && *x > 0.0)
+        .fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
+    let range = if low > high {
+        [1.0, 1e3]
+    } else {
         let down = 10_f64.powf((0.9 * low).log10().floor()).max(least);
         [down, 10_f64.powf((1.1 * high).log10().ceil())]
     };
-    let axis = |name: &str, range| Axis {
+    Axis {
         is_logarithmic: true,
         ..Axis::linear(name, range)
+    }
+}
+
+/// The axis of the costs of `places`.
+fn costs(places: &[[f64; 2]], question: Question) -> Axis {
+    let name = match question {
+        Question::Evaluate => "cost of one value (ns)",
+        Question::Integrate => "cost of one integral (ns)",
     };
-    let cost = decades(&mut places.iter().map(|[cost, _]| *cost), 1e-3);
-    let errors = places.iter().map(|[_, error]| *error);
-    let error = decades(&mut errors.chain([tolerance]), 0.1 * ZERO);
-    [axis("cost (ns)", cost), axis("relative rms error", error)]
+    axis(name, places.iter().map(|[cost, _]| *cost), 1e-3)
+}
+
+/// The axis of all errors of a report and of the tolerance, which its charts share.
+pub(super) fn errors(report: &Report, tolerance: f64) -> Axis {
+    let points = report.families.iter().flat_map(|family| &family.points);
+    let errors = points.map(|point| place(point)[1]);
+    let name = "relative rms error";
+    axis(name, errors.chain([tolerance]), 0.1 * ZERO)
 }
 
 /// The handle at the end of the line of the tolerance.
 fn drag_tolerance(
     ui: &Ui,
     cx: &mut ViewContext<'_, Options>,
-    chart: &Chart,
-    shown: &crate::widgets::chart::Shown,
+    question: Question,
+    (chart, shown): (&Chart, &Shown),
 ) {
     let tolerance = cx.options.tolerance;
     let frame = shown.frame();
     let height = chart.position_of(shown, [1.0, tolerance]).y;
     let at = egui::pos2(frame.left() + theme::HANDLE_RADIUS, height);
     let id = ui.scope_id().with("tolerance");
-    let named = (id, "Line of the tolerance", frame);
+    let name = match question {
+        Question::Evaluate => "Line of the tolerance",
+        Question::Integrate => "Line of the tolerance of integrals",
+    };
+    let named = (id, name, frame);
     let handle = handle::show(ui, at, named, cx.palette.ink, cx.palette);
     if let Some(place) = handle.dragged_to() {
         let [_, error] = chart.value_at(shown, place);
-        // Two digits, as it is shown.
-        let unit = 10_f64.powf(error.log10().floor() - 1.0);
-        let rounded = (error / unit).round() * unit;
-        TOLERANCE.put(&mut cx.options.tolerance, rounded);
+        // As it is shown.
+        TOLERANCE.put(&mut cx.options.tolerance, format::two_digits(error));
     }
 }
 
@@ -214,7 +230,7 @@ pub(super) fn error(error: f64) -> String {
     if error == 0.0 {
         "0 (exact)".to_owned()
     } else {
-        format::value(error)
+        format::share(error)
     }
 }
 
@@ -229,9 +245,9 @@ pub(super) fn duration(ns: f64) -> String {
     format!("{} {unit}", format::value(value))
 }
 
-/// The mark of the family at `index`.
-pub(super) fn sample(ui: &mut Ui, index: usize, palette: &Palette) {
-    let (color, shape) = look(index, palette);
+/// The mark of the family of this id.
+pub(super) fn sample(ui: &mut Ui, id: &str, palette: &Palette) {
+    let (color, shape) = look(id, palette);
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, theme::LEGEND_ROW), Sense::hover());
     let mark = Rect::from_center_size(rect.center(), vec2(7.0, 7.0));
     draw::marker(ui.painter(), mark, shape, color);
@@ -242,13 +258,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn axes_end_at_decades_and_hold_the_tolerance() {
-        let [cost, error] = axes(&[[3.0, 0.5], [4000.0, 1e-16]], 1e-3);
+    fn axes_end_at_decades_and_hold_what_stands_on_them() {
+        let cost = costs(&[[3.0, 0.5], [4000.0, 1e-16]], Question::Evaluate);
         assert_eq!(cost.range, [1.0, 1e4]);
+        let error = axis("", [0.5, 1e-16].into_iter(), 0.1 * ZERO);
         assert!(error.range[0] <= 1e-16 && error.range[1] >= 0.5);
-        let [_, error] = axes(&[[3.0, 0.5]], 1e-3);
-        assert!(error.range[0] <= 1e-3);
-        assert!(axes(&[], 0.1)[0].range[1] > 1.0);
+        assert!(costs(&[], Question::Integrate).range[1] > 1.0);
     }
 
     #[test]
