@@ -185,7 +185,7 @@ mod tests {
         assert!(text.ends_with("wrong by at most 4 %, with the viewer at 45°"));
         found.is_met = false;
         let text = said(&found, Question::Evaluate, false);
-        assert!(text.starts_with("nothing comes within 1 %: “Schlick” is nearest at 20 ns"));
+        assert!(text.starts_with("nothing comes within 1 %; “Schlick” is nearest at 20 ns"));
         found.chosen.error_max = Some(0.0);
         assert!(said(&found, Question::Evaluate, false).ends_with("without any error"));
     }
