@@ -1,5 +1,6 @@
 //! The answer to a question: the cheapest choice that is good enough, and what it is cheaper than.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::advice::{cheapest, nearest, whole};
@@ -23,23 +24,18 @@ pub struct Verdict {
 /// has points. `None` where nothing has.
 #[must_use]
 pub fn verdict(report: &Report, question: Question, tolerance: f64) -> Option<Verdict> {
-    let of_material = match question {
-        Question::Evaluate => whole(&report.families),
-        Question::Integrate => Vec::new(),
+    let of_it = |family: &&FamilyReport| family.cost_unit.question() == question;
+    let mut families = report.families.iter().filter(of_it);
+    let points: Cow<'_, [Point]> = match whole(&report.families) {
+        of_material if question == Question::Evaluate && !of_material.is_empty() => {
+            of_material.into()
+        }
+        _ => (&*families.find(|family| !family.points.is_empty())?.points).into(),
     };
-    let points = if of_material.is_empty() {
-        let families = report.families.iter();
-        let first = families
-            .filter(|family| family.cost_unit.question() == question)
-            .find(|family| !family.points.is_empty());
-        first.map(points_of).unwrap_or_default()
-    } else {
-        of_material
-    };
-    let within = cheapest(&points, tolerance);
+    let within = cheapest(points.iter(), tolerance);
     let chosen = within.or_else(|| nearest(&points))?.clone();
     let instead = match question {
-        Question::Evaluate => cheapest(&points, EXACT).or_else(|| nearest(&points)),
+        Question::Evaluate => cheapest(points.iter(), EXACT).or_else(|| nearest(&points)),
         Question::Integrate => dearest_way(&points, tolerance),
     };
     let is_cheaper = |other: &&Point| within.is_some() && chosen.cost_ns < other.cost_ns;
@@ -48,10 +44,6 @@ pub fn verdict(report: &Report, question: Question, tolerance: f64) -> Option<Ve
         instead: instead.filter(is_cheaper).cloned(),
         chosen,
     })
-}
-
-fn points_of(family: &FamilyReport) -> Vec<Point> {
-    family.points.clone()
 }
 
 /// Of the choices' own cheapest within `tolerance` the one that costs most.

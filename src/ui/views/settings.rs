@@ -28,15 +28,18 @@ pub(super) fn show<O>(
     let is_chosen_from = was_seen && egui::Popup::is_any_open(ui.ctx());
     let is_seen = is_chosen_from || ui.rect_contains_pointer(ui.max_rect()) || has_focus(ui);
     cx.state.own::<Seen>(cx.view).0 = is_seen;
-    let row = ui.scope(|ui| {
-        if !is_seen {
-            // Out of sight, they keep their places and their names for who does not look.
-            ui.multiply_opacity(0.0);
-        }
-        add(ui, cx);
-    });
+    // What is too wide for the view does not make the view wider.
+    let room = ui.available_rect_before_wrap();
+    let mut row = ui.new_child(UiBuilder::new().max_rect(room).id_salt("settings"));
     if !is_seen {
-        caption(ui, cx, row.response.rect);
+        // Out of sight, they keep their places and their names for who does not look.
+        row.multiply_opacity(0.0);
+    }
+    add(&mut row, cx);
+    let covered = row.min_rect().intersect(room);
+    ui.advance_cursor_after_rect(covered);
+    if !is_seen {
+        caption(ui, cx, covered);
     }
 }
 

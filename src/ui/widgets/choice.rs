@@ -83,12 +83,18 @@ pub fn angle(ui: &mut Ui, (name, hint): (&str, &str), value: &mut f64, spec: &Nu
     number.field(ui, value).on_hover_text(hint).explain(ui);
 }
 
+/// The width of a slider with its number and its `name` before it, in points.
+#[must_use]
+pub fn slider_width(ui: &Ui, name: &str) -> f32 {
+    let spacing = ui.spacing();
+    let rail = spacing.slider_width + theme::NUMBER_WIDTH + 3.0 * spacing.item_spacing.x;
+    width_of(ui, name, &egui::TextStyle::Body) + rail
+}
+
 /// A power of 2 with its name before it: the exponent, which is what `log2` and `spec` are of, on the slider, the number itself
 /// in the field.
 pub fn power_of_two(ui: &mut Ui, (name, hint): (&str, &str), log2: &mut u8, spec: &NumberSpec) {
-    let spacing = ui.spacing();
-    let rail = spacing.slider_width + theme::NUMBER_WIDTH + 3.0 * spacing.item_spacing.x;
-    keep_together(ui, width_of(ui, name, &egui::TextStyle::Body) + rail);
+    keep_together(ui, slider_width(ui, name));
     ui.label(name).on_hover_text(hint);
     let mut exponent = f64::from(*log2);
     let counts = NumberSpec::new(spec.name, spec.range.map(f64::exp2)).whole();

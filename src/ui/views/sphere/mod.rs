@@ -105,6 +105,7 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
             &Curve::ALL,
             Curve::title,
         );
+        choice::keep_together(ui, choice::slider_width(ui, "Exposure"));
         ui.label("Exposure");
         let hint = "Each stop doubles the radiance; white is radiance 1 at 0 stops";
         let number = Number::new("Exposure", EXPOSURE).steps(0.0, 1);

@@ -30,7 +30,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         Plot::Map => {
             verdict::show(ui, cx);
             if cx.session.material().is_delta_only() {
-                let note = "No map: a delta has a direction and a share, and no value to be off";
+                let note = "All light is in Dirac deltas: f and the density are 0 everywhere";
                 draw::centred_note(ui, note);
             } else {
                 maps_and_list(ui, cx);

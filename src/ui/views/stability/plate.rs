@@ -106,8 +106,8 @@ pub(super) fn draw_violations<T>(
     }
 }
 
-/// How far a mark reaches over the next row, in points: the width of the edge that is blended.
-const OVERLAP: f32 = 0.5;
+/// How far a mark reaches over the next row, in points: its edge is blended over one.
+const OVERLAP: f32 = 1.0;
 
 /// An axis of a map.
 pub(super) struct Axis {

@@ -28,8 +28,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 }
 
 /// Where no number can be off.
-const DELTAS: &str =
-    "Nothing to lose here: all light is in Dirac deltas, so f and the density are 0 everywhere";
+const DELTAS: &str = "No digit is lost here: a Dirac delta has a direction and a share of the flux, and no value to be off";
 
 /// The precisions, the cheaper one first.
 const PRECISIONS: [&str; 2] = ["f32", "f64"];

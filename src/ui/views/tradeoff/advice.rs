@@ -13,7 +13,6 @@ use bxdf_study::views::tradeoff::Options;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report) {
     let tolerance = cx.options.tolerance;
-    let report = &*cx.options.wanted(report);
     let mut advice = advise(report, tolerance);
     // The answer for the material as a whole comes first.
     advice.sort_by_key(|one| one.family != WHOLE);

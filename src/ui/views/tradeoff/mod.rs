@@ -46,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         draw::centred_note(ui, note);
         return;
     };
-    let shown = cx.options.wanted(&report).into_owned();
+    let shown = cx.options.wanted(&report);
     let is_awaited = ordered.is_some_and(|ordered| ordered.is_awaited);
     let is_beside = ui.available_width() > theme::ADVICE_BESIDE;
     let has_list = is_beside || ui.available_height() > LIST_BELOW;

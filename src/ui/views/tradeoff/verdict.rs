@@ -82,7 +82,7 @@ fn in_words(
     }
     let saved = match &found.instead {
         Some(instead) => saved(chosen, instead),
-        None => format!("at {cost}: nothing dearer is worth it"),
+        None => format!("takes {cost}, and nothing cheaper comes as near"),
     };
     format!("{so_far}cheapest within {within}: “{name}” {saved}, {off}")
 }
@@ -155,7 +155,7 @@ mod tests {
     fn said(found: &Verdict, question: Question, is_awaited: bool) -> String {
         let report = Report {
             material: "phong".parse::<Material>().unwrap(),
-            held: DVec3::new(1.0, 0.0, 1.0).normalize(),
+            held: frame::direction_from_degrees(45.0, 0.0),
             families: Vec::new(),
         };
         in_words(found, (&report, question), 0.01, is_awaited).replace('\u{a0}', " ")
@@ -185,7 +185,7 @@ mod tests {
         assert!(text.ends_with("wrong by at most 4 %, with the viewer at 45°"));
         found.is_met = false;
         let text = said(&found, Question::Evaluate, false);
-        assert!(text.starts_with("nothing comes within 1 %: “Schlick” is nearest at 20 ns"));
+        assert!(text.starts_with("nothing comes within 1 %; “Schlick” is nearest at 20 ns"));
         found.chosen.error_max = Some(0.0);
         assert!(said(&found, Question::Evaluate, false).ends_with("without any error"));
     }
