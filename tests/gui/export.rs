@@ -4,6 +4,7 @@ use std::fs;
 use std::process::{Command, Output};
 
 use brdf_explorer::study::answers::Answers;
+use brdf_explorer::study::colors;
 use brdf_explorer::study::export::{FORMATS, Format};
 use brdf_explorer::study::session::Session;
 use brdf_explorer::study::views::{VIEWS, cartesian};
@@ -66,8 +67,9 @@ fn the_curve_of_a_drawing_is_that_of_the_data() {
         panic!("one line above the surface");
     };
     let drawing = text(view(shown.clone(), "cartesian"), Format::Svg);
-    // The first material in the light theme is Okabe and Ito's blue.
-    let drawn = points_of(&drawing, "stroke=\"#0072b2\" stroke-width=\"2\"");
+    let [[r, g, b], ..] = colors::material_colors(colors::Theme::Light);
+    let stroke = format!("stroke=\"#{r:02x}{g:02x}{b:02x}\" stroke-width=\"2\"");
+    let drawn = points_of(&drawing, &stroke);
     assert_eq!(drawn.len(), line.len());
     let luminance = |rgb| brdf_explorer::analysis::Channel::Luminance.of(rgb);
     let pick = |index: usize| drawn.iter().map(|point| point[index]).collect::<Vec<_>>();
