@@ -102,7 +102,7 @@ fn controls(ui: &mut Ui, session: &mut Session, options: &mut Options) {
             ui,
             ("Brightness", hint),
             &mut options.curve,
-            &Curve::ALL,
+            Curve::ALL,
             Curve::title,
         );
         choice::keep_together(ui, choice::slider_width(ui, "Exposure"));
