@@ -148,7 +148,9 @@ impl App {
                 Outcome::Chosen(command) => command.run_and_say(self, ctx),
             }
         }
-        self.show_first_steps(ctx, views);
+        if !self.is_presenting() {
+            self.show_first_steps(ctx, views);
+        }
         self.said.show(ctx, views);
     }
 

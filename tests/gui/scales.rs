@@ -180,6 +180,14 @@ fn the_first_steps_go_on_by_doing_and_come_once() {
     assert!(harness.query_by_label("2 of 5").is_some());
     super::pick(&mut harness, "Chalk");
     assert!(harness.query_by_label("3 of 5").is_some());
+    harness.key_press(Key::F5);
+    harness.run();
+    assert!(
+        harness.query_by_label("3 of 5").is_none(),
+        "nobody learns while presenting"
+    );
+    harness.key_press(Key::Escape);
+    harness.run();
     click(&mut harness, "Skip");
     assert!(harness.query_by_label_contains(" of 5").is_none());
     let mut next = window("gold");
