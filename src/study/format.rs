@@ -182,7 +182,7 @@ mod tests {
             (1e-4, "0.01 %"),
             (0.0, "0 %"),
             (7.71, "770 %"),
-            (2.16e-7, "2.2e-7"),
+            (2.16e-7, "2.2 × 10⁻⁷"),
         ];
         for (x, text) in cases {
             assert_eq!(share(x).replace('\u{a0}', " "), text);

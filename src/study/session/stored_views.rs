@@ -238,7 +238,8 @@ mod tests {
             [views.slice]
             phi_d_deg = 30.0
             [views.sphere]
-            exposure = 0.0";
+            is_shared = true
+            curve = \"soft\"";
         for version in ["", "version = 1\n", "version = 2\n", "version = 3\n"] {
             let views = read(&format!("{version}{text}")).session.views;
             assert_eq!(kinds(&views), ["cartesian", "cartesian", "polar"]);

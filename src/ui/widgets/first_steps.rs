@@ -27,7 +27,7 @@ static STEPS: [Step; 5] = [
         is_done: |now, _| shows(now, "brass"),
     },
     Step {
-        text: "Now mirror: a perfect one sends all of it into one direction, an arrow",
+        text: "Now the silvered mirror: it sends all of it into one direction, drawn as an arrow",
         is_done: |now, _| shows(now, "mirror"),
     },
     Step {
