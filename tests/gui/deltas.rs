@@ -195,3 +195,39 @@ fn labels_of_many_deltas_do_not_lie_on_one_another() {
         }
     }
 }
+
+/// A share that lies over the number of an angle makes neither legible.
+#[test]
+fn no_number_of_the_polar_grid_lies_below_a_share() {
+    let mut shares = 0;
+    for size in [[330, 400], [360, 360], [360, 300], [480, 360]] {
+        for theta_deg in [50.0, 62.0, 75.0, 84.0] {
+            let shown = Session {
+                theta_deg,
+                ..session(&[MIRROR, GLASS])
+            };
+            let harness = picture(shown, Some("polar"), size, Theme::Dark).shapes();
+            let all = &harness.output().shapes;
+            let text = |clipped: &egui::epaint::ClippedShape| match &clipped.shape {
+                Shape::Text(text) => {
+                    Some((text.galley.text().to_owned(), text.visual_bounding_rect()))
+                }
+                _ => None,
+            };
+            let texts: Vec<(String, Rect)> = all.iter().filter_map(text).collect();
+            let is_delta = |(text, _): &&(String, Rect)| text.starts_with("delta ");
+            let is_angle = |(text, _): &&(String, Rect)| text.ends_with('°');
+            assert!(texts.iter().filter(is_angle).count() > 8, "{texts:?}");
+            for (share, place) in texts.iter().filter(is_delta) {
+                shares += 1;
+                for (angle, at) in texts.iter().filter(is_angle) {
+                    assert!(
+                        !at.intersects(*place),
+                        "{size:?} {theta_deg}: {share} over {angle}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(shares > 16);
+}

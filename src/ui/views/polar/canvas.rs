@@ -214,16 +214,22 @@ impl Canvas<'_> {
         }
     }
 
-    pub(super) fn label_grid(&self, rings: &Rings, palette: &theme::Palette, has_lower: bool) {
+    /// The numbers of the grid, but those that would lie below what is `taken`: a share is worth more than one of many angles.
+    pub(super) fn label_grid(
+        &self,
+        rings: &Rings,
+        taken: &[Rect],
+        palette: &theme::Palette,
+        has_lower: bool,
+    ) {
         let painter = self.painter();
         let text = |position: Pos2, anchor: Align2, text: String| {
-            painter.text(
-                position,
-                anchor,
-                text,
-                draw::small_font(self.ui),
-                palette.faint_ink,
-            );
+            let font = draw::small_font(self.ui);
+            let galley = painter.layout_no_wrap(text, font, palette.faint_ink);
+            let rect = anchor.anchor_size(position, galley.size());
+            if !taken.iter().any(|other| other.intersects(rect)) {
+                painter.galley(rect.min, galley, palette.faint_ink);
+            }
         };
         let limit: i32 = if has_lower { 180 } else { 90 };
         let is_small = self.transform.frame().width() < SMALL_WIDTH;

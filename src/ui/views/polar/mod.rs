@@ -190,13 +190,13 @@ fn show_plot(
     for one in plotted.iter().filter(|one| one.is_selected || is_only) {
         canvas.fill(cx.session, one, &palette);
     }
-    canvas.label_grid(&rings, &palette, has_lower);
-    canvas.name_directions(cx.session, &directions, section, &palette);
-    canvas.name_curves(cx.session, &palette);
     let mut taken = Vec::new();
     for one in plotted {
         canvas.draw_arrows(one, &mut taken, &palette);
     }
+    canvas.label_grid(&rings, &taken, &palette, has_lower);
+    canvas.name_directions(cx.session, &directions, section, &palette);
+    canvas.name_curves(cx.session, &palette);
     if let Some(note) = note(cx, plotted) {
         canvas.note(note, &palette);
     }
