@@ -1,4 +1,4 @@
-//! The inspector: every material's numbers at the cursor.
+//! The inspector: every material's numbers at what is pointed at, or at light and viewer.
 
 use std::fmt::Write as _;
 
@@ -84,7 +84,8 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
                 ui.add_space(8.0);
             }
             let hint = "Copy the table as comma-separated values, with all digits";
-            if ui.small_button("Copy").on_hover_text(hint).clicked() {
+            // Nobody can click in a picture.
+            if !cx.state.is_picture && ui.small_button("Copy").on_hover_text(hint).clicked() {
                 ui.ctx().copy_text(report.csv());
             }
         });
@@ -92,7 +93,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     });
 }
 
-/// The readings at the cursor; at the mirror direction before anything was pointed at.
+/// The readings at what is pointed at; at light and viewer while nobody points.
 fn report(cx: &mut ViewContext<'_, Options>) -> Report {
     let session = &*cx.session;
     let (wo, wi) = cx.pair();
