@@ -34,7 +34,8 @@ impl App {
             options: &mut (),
             answers: &mut self.answers,
             state: &mut self.state,
-            cursor: &mut self.cursor,
+            cursor: self.cursor,
+            pointed: &mut self.pointed,
             palette,
         };
         ui.push_id((options.kind().id, view), |ui| {
@@ -154,6 +155,14 @@ impl App {
         self.said.show(ctx, views);
     }
 
+    /// Takes what the views of this frame say is pointed at, which the next one shows; `before`: what this one has shown.
+    fn point(&mut self, ctx: &Context, before: Option<Cursor>) {
+        self.cursor = self.pointed.take();
+        if self.cursor != before {
+            ctx.request_repaint();
+        }
+    }
+
     /// The bar at the bottom. `before`: where the pointer was in the frame before.
     fn show_bar(&mut self, ui: &mut Ui, before: Option<Cursor>, palette: &Palette) {
         let margin = egui::Margin::symmetric(8, 0);
@@ -216,19 +225,15 @@ impl eframe::App for App {
         self.session.keep_allowed(self.history.present());
         self.answers.begin_frame(&self.session);
         self.state.begin_frame(&self.session);
-        // What is pointed at is that only while somebody points.
-        let pointer = ui.input(|input| input.pointer.hover_pos());
-        let is_pointing = pointer.is_some_and(|at| self.room_of_views.contains(at));
-        self.cursor = self.cursor.filter(|_| is_pointing);
         let before = self.cursor;
         if let Some(view) = self.only {
-            self.room_of_views = ui.max_rect();
             let frame = egui::Frame::NONE
                 .fill(palette.background)
                 .inner_margin(theme::TILE_MARGIN);
             CentralPanel::no_frame()
                 .frame(frame)
                 .show(ui, |ui| self.show_view(ui, view, &palette));
+            self.point(ui.ctx(), before);
             return;
         }
         commands::run_pressed(self, ui.ctx());
@@ -262,8 +267,9 @@ impl eframe::App for App {
             keys::control_at_work(ui.ctx()).map(|id| Control(id.value())),
         );
         self.keep(ui.ctx());
+        self.point(ui.ctx(), before);
         // Panels are drawn before the views: what was said since is shown by the next frame.
-        if self.cursor != before || self.notice.is_new() {
+        if self.notice.is_new() {
             ui.ctx().request_repaint();
         }
     }

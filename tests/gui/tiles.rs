@@ -140,9 +140,16 @@ fn the_inspector_reads_every_material_at_the_one_cursor() {
         harness.query_by_label("θ 50°  φ 0°").is_none(),
         "the cursor has moved"
     );
-    // The pointer leaves: the light and the viewer are read again.
-    harness.hover_at(egui::pos2(2.0, 2.0));
-    harness.run();
-    assert!(harness.query_by_label("θ 50°  φ 0°").is_some());
+    // The pointer leaves for the settings, or the views: the light and the viewer are read again.
+    let settings = harness.get_by_label("Scale of Polar plot");
+    let settings = settings.rect().center();
+    for away in [settings, egui::pos2(2.0, 2.0)] {
+        harness.hover_at(dome.center() + vec2(30.0, -40.0));
+        harness.run();
+        assert!(harness.query_by_label("θ 50°  φ 0°").is_none());
+        harness.hover_at(away);
+        harness.run();
+        assert!(harness.query_by_label("θ 50°  φ 0°").is_some(), "{away:?}");
+    }
     assert_eq!(harness.query_all_by_label_contains(value).count(), before);
 }

@@ -63,6 +63,8 @@ pub struct App {
     pub(super) answers: Answers,
     pub(super) state: ViewState,
     pub(super) cursor: Option<Cursor>,
+    /// What the views of this frame say of it.
+    pub(super) pointed: Option<Cursor>,
     pub(super) only: Option<ViewId>,
     /// The view last clicked into.
     pub(super) clicked: Option<ViewId>,
@@ -118,6 +120,7 @@ impl App {
             pool,
             state: ViewState::default(),
             cursor: None,
+            pointed: None,
             only,
             clicked: None,
             picker: Picker::default(),

@@ -228,7 +228,7 @@ fn point_at_direction(ui: &Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart,
     let azimuth = cx.options.own_section_deg.of(cx.session).phi();
     let pointed = chart.pointed(shown).filter(|[x, _]| x.abs() <= 180.0);
     let Some([x, _]) = pointed else {
-        if let Some(cursor) = &*cx.cursor {
+        if let Some(cursor) = &cx.cursor {
             let x = polar::signed_angle(cursor.direction, azimuth).to_degrees();
             chart.mark(ui, shown, x, cx.palette);
         }
@@ -236,7 +236,7 @@ fn point_at_direction(ui: &Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart,
     };
     let heading = format!("θ {}", format::degrees(x));
     chart.read_out(ui, shown, x, &heading, cx.palette);
-    *cx.cursor = Some(Cursor {
+    *cx.pointed = Some(Cursor {
         material: cx.session.materials.selected().id(),
         direction: polar::direction(x.to_radians(), azimuth),
     });

@@ -32,8 +32,10 @@ pub struct ViewContext<'a, O = ()> {
     pub answers: &'a mut Answers,
     /// What the views keep between frames.
     pub state: &'a mut ViewState,
-    /// The direction pointed at, which every view shows; set by the view that has the pointer.
-    pub cursor: &'a mut Option<Cursor>,
+    /// The direction pointed at, which every view shows.
+    pub cursor: Option<Cursor>,
+    /// Where the view says what is pointed at in it, in every frame: what no view says any more is not pointed at.
+    pub pointed: &'a mut Option<Cursor>,
     /// The colours.
     pub palette: &'a Palette,
 }
@@ -74,6 +76,7 @@ impl<O> ViewContext<'_, O> {
             answers: self.answers,
             state: self.state,
             cursor: self.cursor,
+            pointed: self.pointed,
             palette: self.palette,
         }
     }

@@ -157,11 +157,11 @@ fn show_chart(
             &format!("θ {}", format::degrees(x)),
             cx.palette,
         );
-        *cx.cursor = Some(Cursor {
+        *cx.pointed = Some(Cursor {
             material: entry,
             direction: polar::direction(x.to_radians(), azimuth),
         });
-    } else if let Some(cursor) = &*cx.cursor {
+    } else if let Some(cursor) = &cx.cursor {
         let x = polar::signed_angle(cursor.direction, azimuth).to_degrees();
         chart.mark(ui, &shown, x, cx.palette);
     }

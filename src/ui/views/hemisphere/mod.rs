@@ -286,7 +286,7 @@ fn point(
 ) {
     let options = *cx.options;
     let Some(pointer) = response.hover_pos() else {
-        if let Some(cursor) = &*cx.cursor
+        if let Some(cursor) = &cx.cursor
             && (cursor.direction.z > 0.0) != options.is_lower
         {
             let place = options.projection.place(cursor.direction);
@@ -311,7 +311,7 @@ fn point(
         }
     }
     draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
-    *cx.cursor = Some(cursor);
+    *cx.pointed = Some(cursor);
 }
 
 /// The value at the cursor, as the map has it.

@@ -242,7 +242,7 @@ impl Shown<'_> {
                 text.unwrap_or_default()
             );
             draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
-            *cx.cursor = Some(cursor);
+            *cx.pointed = Some(cursor);
         }
         linked
     }

@@ -182,7 +182,7 @@ fn glided(ui: &Ui, cx: &mut ViewContext<'_, Options>) -> OrbitCamera {
 
 /// The direction pointed at in another view: a line to the dome.
 fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect, camera: &OrbitCamera) {
-    let Some(cursor) = &*cx.cursor else {
+    let Some(cursor) = &cx.cursor else {
         return;
     };
     let project = |place: Vec3| camera.project(place, rect);
@@ -273,5 +273,5 @@ fn read_out(
         &draw::cursor_text(&cursor, cx.session, value),
         cx.palette,
     );
-    *cx.cursor = Some(cursor);
+    *cx.pointed = Some(cursor);
 }

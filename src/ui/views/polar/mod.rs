@@ -226,7 +226,7 @@ fn is_near(bounds: &PlotBounds, window: &PlotBounds) -> bool {
 
 /// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
 fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, transform: &PlotTransform) {
-    let Some(cursor) = &*cx.cursor else {
+    let Some(cursor) = &cx.cursor else {
         return;
     };
     let azimuth = cx.options.own_section_deg.of(cx.session).phi();
@@ -368,7 +368,7 @@ fn read_out(
         &draw::cursor_text(&cursor, cx.session, value),
         cx.palette,
     );
-    *cx.cursor = Some(cursor);
+    *cx.pointed = Some(cursor);
 }
 
 #[cfg(test)]

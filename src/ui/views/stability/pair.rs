@@ -13,5 +13,5 @@ pub(super) fn go_to(cx: &mut ViewContext<'_, Options>, wo: glam::DVec3, wi: glam
         wi: Some(wi),
     };
     let selected = cx.session.materials.selected().id();
-    *cx.cursor = Cursor::jump(cx.session, selected, &witness);
+    *cx.pointed = Cursor::jump(cx.session, selected, &witness);
 }

@@ -64,6 +64,6 @@ pub(super) fn choose(cx: &mut ViewContext<'_, Options>, point: &Point, measured:
             wo: Some(worst.wo),
             wi: Some(worst.wi),
         };
-        *cx.cursor = Cursor::jump(cx.session, shown, &witness);
+        *cx.pointed = Cursor::jump(cx.session, shown, &witness);
     }
 }
