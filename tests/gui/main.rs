@@ -12,6 +12,7 @@ mod bottom;
 mod commands;
 mod data;
 mod deltas;
+mod directions;
 mod drawing;
 mod export;
 mod files;
