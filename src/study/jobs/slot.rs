@@ -1,5 +1,6 @@
 //! A query that is asked again whenever its inputs change, and the last answer to it.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -189,7 +190,9 @@ where
     /// What there is by now of the answer for `key`, and whether more of it will come; nothing is asked anew.
     pub fn look(&mut self, key: &K) -> (Answer<V>, bool) {
         self.collect();
-        let is_awaited = locked(&self.asked.state).query.is_some();
+        let state = locked(&self.asked.state);
+        let is_awaited = state.query.is_some() && state.is_queued;
+        drop(state);
         (self.answer(key), is_awaited)
     }
 
@@ -318,7 +321,10 @@ where
             number,
             tell: &tell,
         };
-        let value = compute(detail, &watch);
+        // Whatever panics says so by the hook of the program. The thread goes on with what others ask.
+        let computed = catch_unwind(AssertUnwindSafe(|| compute(detail, &watch)));
+        let has_failed = computed.is_err();
+        let value = computed.ok().flatten();
         let mut state = locked(&self.state);
         if let Some(value) = value {
             if detail == Detail::Full {
@@ -334,11 +340,14 @@ where
         }
         let next = match &state.query {
             Some(query) if query.number != number => Some(first_turn(query.pace)),
-            Some(_) if detail == Detail::Coarse => Some(Detail::Full),
+            Some(_) if detail == Detail::Coarse && !has_failed => Some(Detail::Full),
             _ => None,
         };
         if next.is_none() {
-            state.query = None;
+            // What failed stays asked, and is not tried again before something else is.
+            if !has_failed {
+                state.query = None;
+            }
             state.is_queued = false;
         }
         next

@@ -254,3 +254,34 @@ fn without_threads_each_frame_has_a_task() {
     let answer = slot.ask(&mut jobs, &1, Pace::AtOnce, |_, _| Some(1));
     assert_eq!(answer.detail, Some(Detail::Full));
 }
+
+/// A computation that panics is given up; its thread answers what is asked next, of this slot and of others.
+#[test]
+fn what_panics_holds_nothing_up() {
+    let (mut jobs, announced) = pool();
+    let [mut failing, mut other] = [Slot::<u32, u32>::default(), Slot::default()];
+    let mut ask = |slot: &mut Slot<u32, u32>, key: u32, pace| {
+        let compute = move |_, _: &Watch<'_, _>| {
+            assert!(key != 1, "a fault that the test plants");
+            Some(key)
+        };
+        slot.ask(&mut jobs, &key, pace, compute).value
+    };
+    for pace in [Pace::CoarseFirst, Pace::Background, Pace::Long] {
+        assert!(ask(&mut failing, 1, pace).is_none());
+        wait(&announced);
+        assert!(!failing.look(&1).1, "nothing more will come");
+        // It is not tried again as long as the same is asked.
+        ask(&mut failing, 1, pace);
+        assert!(announced.recv_timeout(Duration::from_millis(50)).is_err());
+        for (slot, key) in [(&mut other, 2), (&mut failing, 3)] {
+            while ask(slot, key, pace) != Some(Arc::new(key)) {
+                wait(&announced);
+            }
+        }
+        while announced.recv_timeout(Duration::from_millis(50)).is_ok() {}
+        failing = Slot::default();
+        other = Slot::default();
+    }
+    assert!(!jobs.is_busy());
+}
