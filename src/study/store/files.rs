@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::files;
 
@@ -61,7 +61,15 @@ pub trait Files: Send + Sync {
     /// # Errors
     /// The system's, where it knows no locks among others.
     fn lock(&self, path: &Path) -> io::Result<Option<File>>;
+
+    /// Where what is written at `path` belongs: behind the links that stand there, `path` itself where none does.
+    fn behind_links(&self, path: &Path) -> PathBuf {
+        path.to_owned()
+    }
 }
+
+/// The most links that are followed one after the other, as many as Linux follows.
+const MAX_LINKS: usize = 40;
 
 /// The files of this machine.
 #[derive(Clone, Copy, Debug)]
@@ -117,5 +125,17 @@ impl Files for Disk {
             Err(TryLockError::WouldBlock) => Ok(None),
             Err(TryLockError::Error(error)) => Err(error),
         }
+    }
+
+    fn behind_links(&self, path: &Path) -> PathBuf {
+        let mut end = path.to_owned();
+        for _ in 0..MAX_LINKS {
+            match std::fs::read_link(&end) {
+                // A relative one counts from the folder that it stands in.
+                Ok(next) => end = end.with_file_name(next),
+                Err(_) => return end,
+            }
+        }
+        path.to_owned()
     }
 }

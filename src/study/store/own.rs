@@ -126,7 +126,8 @@ impl Own {
                 said,
             };
         };
-        let path = place.path.clone();
+        // Its backup stands beside the file itself, where a link leads to it.
+        let path = places.files.behind_links(&place.path);
         if place.number > 1 {
             said.push(format!(
                 "Another window is open: this one keeps a session of its own, {}",

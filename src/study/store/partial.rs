@@ -24,18 +24,19 @@ pub struct Partial<'a> {
 }
 
 impl<'a> Partial<'a> {
-    /// A name for the file that is to stand at `target`; nothing stands there yet.
+    /// A name for the file that is to stand at `target`, or where the link there leads; nothing stands there yet.
     ///
     /// # Errors
     /// `InvalidFilename` where `target` has no name, as `..`.
     pub fn of(files: &'a dyn Files, target: &Path) -> io::Result<Self> {
-        let path = temporary_beside(target)?;
+        let target = files.behind_links(target);
+        let path = temporary_beside(&target)?;
         // Listed first: whoever ends the program finds it in the list, or not on the disk.
         pending().push(path.clone());
         Ok(Self {
             files,
             path,
-            target: target.to_owned(),
+            target,
             is_complete: false,
         })
     }
@@ -118,6 +119,34 @@ mod tests {
             }
             assert!(pending().iter().all(|path| !path.starts_with(&folder)));
         }
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    /// People keep their files elsewhere, and links in their place: these stay, also where nothing stands behind them yet.
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_and_what_it_leads_to_is_written() {
+        use std::os::unix::fs::symlink;
+
+        let name = format!("brdf-explorer-link-{}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
+        let elsewhere = folder.join("elsewhere");
+        fs::create_dir_all(&elsewhere).unwrap();
+        let [link, second, circle] = ["link", "second", "circle"].map(|name| folder.join(name));
+        symlink("elsewhere/mine.toml", &second).unwrap();
+        symlink(&second, &link).unwrap();
+        symlink(&circle, &circle).unwrap();
+        for text in ["before", "after"] {
+            let partial = Partial::of(&Disk, &link).unwrap();
+            assert_eq!(partial.path().parent(), Some(elsewhere.as_path()));
+            Disk.write(partial.path(), text.as_bytes()).unwrap();
+            partial.complete().unwrap();
+            for path in [&link, &second] {
+                assert!(fs::symlink_metadata(path).unwrap().is_symlink());
+                assert_eq!(fs::read_to_string(path).unwrap(), text);
+            }
+        }
+        assert_eq!(Disk.behind_links(&circle), circle);
         fs::remove_dir_all(&folder).unwrap();
     }
 

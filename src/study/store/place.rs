@@ -44,7 +44,7 @@ impl Places {
         let bytes = self.bytes(path, readers::limit(path))?;
         let digest = digest(&bytes);
         let mut opened = readers::read(bytes, path)?;
-        opened.rooted_at(&folder_of(path));
+        opened.rooted_at(&folder_of(&self.files.behind_links(path)));
         opened.read_files(&|path| self.data(path));
         self.note(path, digest);
         Ok(opened)
@@ -76,11 +76,13 @@ impl Places {
     }
 
     /// Writes `session` in place of the file at `path`. What was there is kept: as the backup where it can be read, else
-    /// under a name that is free, with the backup as it was. Returns that name.
+    /// under a name that is free, with the backup as it was. Returns that name. Where `path` is a link, it stays, and all this is
+    /// done where it leads.
     ///
     /// # Errors
     /// Where it cannot be written, and where nobody would read it again; the files that were there are as they were.
     pub(super) fn replace(&self, path: &Path, session: &Session) -> Result<Option<PathBuf>> {
+        let path = &*self.files.behind_links(path);
         session.require_fit()?;
         let text = session.relative_to(&folder_of(path)).to_toml()?;
         let before = self.before(path);

@@ -262,3 +262,26 @@ fn a_thread_keeps_the_session_and_its_failures_are_said_and_tried_again() {
     fs::remove_file(folder.file(LAST_SESSION)).unwrap();
     assert_eq!(folder.restored().0, Some(session(30.0)));
 }
+
+/// People keep their sessions elsewhere, under a link in the program's folder: it stays, and all is kept where it leads.
+#[cfg(unix)]
+#[test]
+fn a_link_to_the_session_stays_one() {
+    let folder = Folder::new("own-link");
+    let elsewhere = folder.file("elsewhere");
+    fs::create_dir_all(&elsewhere).unwrap();
+    let [link, real] = [folder.file(LAST_SESSION), elsewhere.join("mine.toml")];
+    std::os::unix::fs::symlink("elsewhere/mine.toml", &link).unwrap();
+    for theta_deg in [10.0, 20.0, 30.0] {
+        keep(&folder, theta_deg);
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(folder.restored().0, Some(session(theta_deg)));
+    }
+    assert!(backup(&real).exists() && !backup(&link).exists());
+    fs::write(&real, "no session").unwrap();
+    assert_eq!(
+        folder.restored().0,
+        Some(session(20.0)),
+        "the backup is found"
+    );
+}
