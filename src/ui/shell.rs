@@ -59,15 +59,12 @@ impl App {
             ui.label(RichText::new("BRDF Explorer").heading());
             wished = self.file_menu(ui);
             ui.separator();
-            layouts::arrangements(ui, &mut self.session.views, has_words);
+            let room = self.room_of_views();
+            layouts::arrangements(ui, &mut self.session.views, room, has_words);
             if commands::FOUR_KINDS.button(ui, self) {
                 wished = Some(&commands::FOUR_KINDS);
             }
-            let opened = layouts::menu(
-                ui,
-                &mut self.session.views,
-                self.room_of_views.size().into(),
-            );
+            let opened = layouts::menu(ui, &mut self.session.views, room);
             self.notice.report(opened);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 options::theme_menu(ui);

@@ -326,7 +326,13 @@ fn no_more_views_are_opened_than_there_may_be() {
     harness.get_by_label("Compare").click();
     harness.run();
     let compare = READY_LAYOUTS.iter().find(|ready| ready.name == "Compare");
-    assert!(harness.state().session.views.is_ready(compare.unwrap()));
+    assert!(
+        harness
+            .state()
+            .session
+            .views
+            .is_ready(compare.unwrap(), harness.state().room_of_views())
+    );
 }
 
 #[test]

@@ -140,7 +140,8 @@ fn pictures_are_as_stored() {
     for (theme_name, theme) in THEMES {
         for (name, shown, layout, size, scale) in WINDOWS {
             let mut shown = session(shown);
-            shown.views.show_ready(&READY_LAYOUTS[layout]);
+            let room = size.map(|side| side as f32);
+            shown.views.show_ready(&READY_LAYOUTS[layout], room);
             let window = Picture {
                 scale,
                 ..picture(shown, None, size, theme)

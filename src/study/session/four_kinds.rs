@@ -10,8 +10,8 @@ const OF_EACH_KIND: [&str; 4] = ["chalk", "brass", "mirror", "road_sign"];
 
 impl Session {
     /// Shows a material of each of the four categories of reflection side by side under one light, each lobe to its peak, in
-    /// place of the materials there are.
-    pub fn show_four_kinds(&mut self) {
+    /// place of the materials there are, in a window with this `room` for views.
+    pub fn show_four_kinds(&mut self, room: [f32; 2]) {
         let named = OF_EACH_KIND.iter().filter_map(|id| library::find(id).ok());
         let mut found = named.map(|named| named.material.clone());
         let Some(first) = found.next() else {
@@ -28,7 +28,7 @@ impl Session {
         }
         self.materials = materials;
         let [look, ..] = &READY_LAYOUTS;
-        self.views.show_ready(look);
+        self.views.show_ready(look, room);
         self.views
             .each_scale(|scale| scale.choose(ScaleChoice::EachToPeak));
         self.views
@@ -46,7 +46,7 @@ mod tests {
     #[test]
     fn each_kind_stands_for_itself() {
         let mut session = Session::default();
-        session.show_four_kinds();
+        session.show_four_kinds([1280.0, 720.0]);
         assert_eq!(session.materials.shown().count(), 4);
         let mut kinds = BTreeSet::new();
         for entry in session.materials.iter() {

@@ -233,10 +233,11 @@ impl Views {
         }
     }
 
-    /// Goes over to a ready layout. Its views are those that are open, as far as there are any of their kinds.
-    pub fn show_ready(&mut self, ready: &ReadyLayout) {
+    /// Goes over to a ready layout, fitted to a window with this room for views. Its views are those that are open, as far as
+    /// there are any of their kinds.
+    pub fn show_ready(&mut self, ready: &ReadyLayout, room: [f32; 2]) {
         let mut left = self.ids();
-        let layout = (ready.layout)().filter_map(&mut |id| {
+        let layout = (ready.layout)().fitted(room).filter_map(&mut |id| {
             let kind = find(id).ok()?;
             let is_it = |id: &ViewId| self.kind(*id).is_some_and(|other| other.id == kind.id);
             if let Some(index) = left.iter().position(is_it) {
@@ -251,11 +252,12 @@ impl Views {
         }
     }
 
-    /// Whether they stand as in a ready layout.
+    /// Whether they stand as in a ready layout, or as that fits into this room.
     #[must_use]
-    pub fn is_ready(&self, ready: &ReadyLayout) -> bool {
+    pub fn is_ready(&self, ready: &ReadyLayout, room: [f32; 2]) -> bool {
         let same = |id: &ViewId, kind: &&str| self.kind(*id).is_some_and(|own| own.id == *kind);
-        self.layout.is_like(&(ready.layout)(), &same)
+        let whole = (ready.layout)();
+        self.layout.is_like(&whole, &same) || self.layout.is_like(&whole.fitted(room), &same)
     }
 
     /// Whether another view can be opened.

@@ -13,6 +13,12 @@ impl App {
         clicked.unwrap_or_else(|| views.any())
     }
 
+    /// The width and height of the room that the views had in the last frame, in points.
+    #[must_use]
+    pub fn room_of_views(&self) -> [f32; 2] {
+        self.room_of_views.size().into()
+    }
+
     /// Opens another view like this one, beside it.
     pub fn duplicate_view(&mut self, view: ViewId) {
         let opened = self.session.views.duplicate(view);

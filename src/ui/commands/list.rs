@@ -197,7 +197,7 @@ pub static FOUR_KINDS: Command = command(
         "Show diffuse, glossy, perfect specular and retro-reflective reflection side by side, in place of the materials there are",
     ],
     &[key(CTRL, Key::Num4)],
-    |app, _| app.session.show_four_kinds(),
+    |app, _| app.session.show_four_kinds(app.room_of_views()),
 );
 
 /// Multiplies by the cosine, or does not.

@@ -6,20 +6,20 @@ use bxdf::error::Result;
 use bxdf_study::session::{MAX_VIEWS, READY_LAYOUTS, Views};
 use bxdf_study::views::VIEWS;
 
-/// The arrangements; the signs stand alone where there is no room for words.
-pub fn arrangements(ui: &mut Ui, views: &mut Views, has_words: bool) {
+/// The arrangements, for a window that has this `room` for views; the signs stand alone where there is none for words.
+pub fn arrangements(ui: &mut Ui, views: &mut Views, room: [f32; 2], has_words: bool) {
     for ready in &READY_LAYOUTS {
         let text = if has_words {
             format!("{} {}", ready.icon, ready.name)
         } else {
             ready.icon.to_owned()
         };
-        let choice = ui.add(Button::selectable(views.is_ready(ready), text));
+        let choice = ui.add(Button::selectable(views.is_ready(ready, room), text));
         ui.ctx()
             .accesskit_node_builder(choice.id, |node| node.set_label(ready.name));
         let hint = format!("{}: {}", ready.name, ready.meaning);
         if choice.on_hover_text(hint).clicked() {
-            views.show_ready(ready);
+            views.show_ready(ready, room);
         }
     }
 }

@@ -36,7 +36,7 @@ fn ready_layouts_are_valid_and_known_again() {
     for ready in &READY_LAYOUTS {
         let views = Views::ready(ready);
         assert_eq!(views.layout().validate(), Ok(()));
-        let is_it = |other: &&ReadyLayout| views.is_ready(other);
+        let is_it = |other: &&ReadyLayout| views.is_ready(other, ROOM);
         let found: Vec<&str> = READY_LAYOUTS.iter().filter(is_it).map(|r| r.name).collect();
         assert_eq!(found, [ready.name]);
     }
@@ -67,7 +67,7 @@ fn what_is_closed_comes_back_as_it_was() {
     let first = views.add(kind("cartesian"), ROOM).unwrap();
     set(&mut views, first, at(10.0));
     let [start, ..] = &READY_LAYOUTS;
-    views.show_ready(start);
+    views.show_ready(start, ROOM);
     assert_eq!(
         (kinds(&views), angles(&views)),
         (vec!["lobe3d", "polar"], vec![])
@@ -80,7 +80,7 @@ fn what_is_closed_comes_back_as_it_was() {
     // Of two the first comes back.
     let second = views.duplicate(views.first(kind("cartesian")).unwrap());
     set(&mut views, second.unwrap(), at(20.0));
-    views.show_ready(start);
+    views.show_ready(start, ROOM);
     views.add(kind("cartesian"), ROOM).unwrap();
     views.add(kind("cartesian"), ROOM).unwrap();
     assert_eq!(angles(&views), [10.0, 10.0]);
@@ -97,7 +97,7 @@ fn a_ready_layout_takes_the_views_that_are_open() {
     *views.get_mut(map).unwrap() = own.into();
     let before = views.ids();
     let sampling = READY_LAYOUTS.iter().find(|ready| ready.name == "Sampling");
-    views.show_ready(sampling.unwrap());
+    views.show_ready(sampling.unwrap(), ROOM);
     assert_eq!(kinds(&views), ["sampling", "hemisphere", "cartesian"]);
     assert!(views.options::<hemisphere::Options>().is_lower);
     let [first, second, third] = views.ids()[..] else {
