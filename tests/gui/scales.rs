@@ -1,9 +1,9 @@
 //! The scales of the views, lobes side by side, presenting, and the first steps, by accessible labels.
 
-use brdf_explorer::study::session::Session;
-use brdf_explorer::study::views::{Arrangement, ScaleChoice, lobe3d, polar};
+use brdf_explorer::study::session::{READY_LAYOUTS, Session};
+use brdf_explorer::study::views::{self, Arrangement, ScaleChoice, lobe3d, polar};
 use brdf_explorer::ui::app::App;
-use egui::{Key, Modifiers, Role, Shape, vec2};
+use egui::{Key, Modifiers, Role, Shape, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -115,6 +115,80 @@ fn a_locked_scale_stays_whatever_is_shown() {
     assert_eq!(Session::from_toml(&text, "s").unwrap(), *session(&harness));
     click(&mut harness, "Lock the scale of Polar plot");
     assert_eq!(scale(&harness).locked_at, None);
+}
+
+/// The numbers at the left of the Cartesian plot, which is alone in its window.
+fn heights(harness: &Harness<'_, App>) -> Vec<String> {
+    let plot = harness.get_by_role_and_label(Role::Canvas, "Cartesian plot");
+    let left = plot.rect().left();
+    let mut found = Vec::new();
+    for clipped in &harness.output().shapes {
+        if let Shape::Text(text) = &clipped.shape
+            && (left - 60.0..left - 1.0).contains(&text.pos.x)
+            && text.galley.text() != "-90"
+            && text.galley.text().parse::<f64>().is_ok()
+        {
+            found.push(text.galley.text().to_owned());
+        }
+    }
+    found
+}
+
+#[test]
+fn the_cartesian_plot_keeps_its_scale_too() {
+    let mut harness = window("gold");
+    let cartesian = views::find("cartesian").unwrap();
+    harness.state_mut().session.views.show_alone(cartesian);
+    harness.run();
+    let before = heights(&harness);
+    assert!(before.len() > 3, "{before:?}");
+    // While something is dragged, here a number of the light, it stays though the peak moves.
+    let number = harness.get_by_role_and_label(Role::SpinButton, "θ from n");
+    let from = number.rect().center();
+    harness.hover_at(from);
+    harness.drag_at(from);
+    for step in 1..=6 {
+        harness.hover_at(from + vec2(3.0 * step as f32, 0.0));
+        harness.step();
+    }
+    assert_ne!(session(&harness).theta_deg, 45.0);
+    assert_eq!(heights(&harness), before, "in the middle of the drag");
+    harness.drop_at(from + vec2(18.0, 0.0));
+    harness.run();
+    // Locked, it stays for a material that is far lower, and for one that leaves it.
+    click(&mut harness, "Lock the scale of Cartesian plot");
+    let locked = heights(&harness);
+    for material in ["lambertian_reflection", "rough_conductor:alpha=0.01"] {
+        let material = material.parse().unwrap();
+        let materials = &mut harness.state_mut().session.materials;
+        materials.selected_mut().replace(material);
+        harness.run();
+        assert_eq!(heights(&harness), locked);
+    }
+    assert!(harness.query_by_label_contains("Reset view").is_none());
+    click(&mut harness, "Lock the scale of Cartesian plot");
+    assert_ne!(heights(&harness), locked);
+}
+
+#[test]
+fn an_arrangement_is_folded_where_there_is_no_room_for_it() {
+    let small = super::picture(super::session(&["gold"]), None, [1024, 640], Theme::Dark);
+    let mut harness = small.harness().unwrap();
+    let compare = READY_LAYOUTS.iter().find(|ready| ready.name == "Compare");
+    let compare = compare.unwrap();
+    let tiles = |harness: &Harness<'_, App>| {
+        let layout = session(harness).views.layout();
+        format!("{layout:?}").matches("Tabs").count()
+    };
+    click(&mut harness, "Compare");
+    assert_eq!(tiles(&harness), 1, "the inspector is a tab");
+    let room = harness.state().room_of_views();
+    assert!(session(&harness).views.is_ready(compare, room));
+    // In a window with room it stands unfolded again, when it is asked for.
+    harness.set_size(vec2(1280.0, 800.0));
+    harness.run();
+    click(&mut harness, "Compare");
+    assert_eq!(tiles(&harness), 0);
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use egui::{Align2, Ui};
 
 use super::context::ViewContext;
-use super::settings;
+use super::{kept_scale, settings};
 use crate::theme::{self, Dash, Palette};
-use crate::widgets::chart::{Axis, Chart, Series, Shown};
+use crate::widgets::chart::{Axis, Chart, Series, Shown, Stem};
 use crate::widgets::legend::{self, Swatch};
 use crate::widgets::{choice, draw};
 use bxdf::Side;
@@ -20,13 +20,18 @@ use bxdf_study::session::{MaterialEntry, Session};
 use bxdf_study::views::cartesian::{FIXED_ANGLE, Options};
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    settings::row(ui, cx, controls);
+    let plotted = plotted(cx);
+    let (wanted, scale) = (plotted.reach(), cx.options.scale);
+    let full = kept_scale::full(ui, cx, scale, None, wanted);
+    // Over their peaks all reach as high as they can.
+    let lockable = (wanted > 0.0 && !scale.is_each_to_peak).then_some(full);
+    settings::row(ui, cx, |ui, cx| controls(ui, cx, lockable));
     legend::show(ui, Swatch::Line, cx.session, cx.palette);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
-    let chart = chart(cx);
+    let chart = chart(cx, plotted, full);
     let shown = chart.show(ui, None, cx.palette);
     if let Some(note) = note(cx) {
         let (place, font) = (shown.frame().left_bottom(), draw::small_font(ui));
@@ -48,7 +53,8 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
 }
 
-fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
+/// `full`: the largest value that the axis has room for now, where it can be kept.
+fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, full: Option<f64>) {
     let mut options = *cx.options;
     let hint = "Over which angle f is drawn: the free direction's in the section, or the angles of half vector and difference";
     choice::choice(
@@ -69,7 +75,7 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
             choice::angle(ui, ("at θh", hint), &mut options.fixed_deg, &FIXED_ANGLE);
         }
     }
-    settings::scale(ui, cx, &mut options.scale, None);
+    settings::scale(ui, cx, &mut options.scale, full);
     let hint = "The value minus that of the reference material";
     choice::switch(ui, ("Difference", hint), &mut options.is_residual);
     if options.is_residual {
@@ -95,8 +101,24 @@ fn note(cx: &mut ViewContext<'_, Options>) -> Option<&'static str> {
     has_one.then_some("Deltas that cross the surface have no half vector: they are not shown here")
 }
 
-/// The chart of every material shown.
-fn chart(cx: &mut ViewContext<'_, Options>) -> Chart {
+/// What every material has to show.
+struct Plotted {
+    series: Vec<Series>,
+    stems: Vec<Stem>,
+    /// The least value, or 0, and the largest one, or 0.
+    ends: [f64; 2],
+}
+
+impl Plotted {
+    /// How far its values go from 0.
+    fn reach(&self) -> f64 {
+        let [least, largest] = self.ends;
+        largest.max(-least)
+    }
+}
+
+/// The curves and deltas of every material shown.
+fn plotted(cx: &mut ViewContext<'_, Options>) -> Plotted {
     let (session, answers, palette) = (&*cx.session, &mut *cx.answers, cx.palette);
     let options = *cx.options;
     let request = options.request(session);
@@ -124,18 +146,41 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> Chart {
             .flat_map(|one| one.lines.iter().flatten())
             .map(|[_, y]| *y)
     };
-    let [mut least, largest] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+    let ends = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+    Plotted {
+        series,
+        stems,
+        ends,
+    }
+}
+
+/// The chart of them, with an axis that has room for values that go as far as `full` from 0.
+fn chart(cx: &ViewContext<'_, Options>, plotted: Plotted, full: f64) -> Chart {
+    let (session, palette, options) = (&*cx.session, cx.palette, *cx.options);
+    let reach = plotted.reach();
+    let Plotted {
+        series,
+        stems,
+        ends,
+    } = plotted;
+    let zoom = if reach > 0.0 { full / reach } else { 1.0 };
+    let [mut least, largest] = ends.map(|end| end * zoom);
     let y = if least == largest && !stems.is_empty() {
         super::context::share_axis(stems.iter().map(|stem| stem.share))
     } else {
         // Room for stems that go down.
         let lowest = stems.iter().map(|stem| stem.share).fold(0.0, f64::min);
         least = least.min(lowest * largest.max(-least));
-        let decades = match request.scale {
+        let decades = match options.request(session).scale {
             RadialScale::Linear => None,
             RadialScale::Logarithmic { decades } => Some(decades),
         };
-        Axis::of_values(value_name(session, &options), [least, largest], decades)
+        let axis = Axis::of_values(value_name(session, &options), [least, largest], decades);
+        // What leaves a scale that stays is cut off.
+        Axis {
+            is_cut: true,
+            ..axis
+        }
     };
     let mut chart = Chart::of("Cartesian plot", [x_axis(session, &options), y], series);
     chart.stems = stems;

@@ -24,6 +24,8 @@ pub struct Axis {
     pub is_logarithmic: bool,
     /// Whether it measures an angle in degrees.
     pub is_angle: bool,
+    /// Whether curves are cut off at its ends; else it reaches as far as there are values.
+    pub is_cut: bool,
 }
 
 impl Axis {
@@ -35,6 +37,7 @@ impl Axis {
             range,
             is_logarithmic: false,
             is_angle: false,
+            is_cut: false,
         }
     }
 
@@ -72,7 +75,39 @@ impl Axis {
             range,
             is_logarithmic: decades.is_some(),
             is_angle: false,
+            is_cut: false,
         }
+    }
+
+    /// The pieces of `line`, places of the plot, that lie between the ends, where curves are cut off there: each ends on them.
+    pub(super) fn cut(&self, line: Vec<[f64; 2]>) -> Vec<Vec<[f64; 2]>> {
+        let [low, high] = self.ends();
+        if !self.is_cut || line.iter().all(|[_, y]| (low..=high).contains(y)) {
+            return vec![line];
+        }
+        let mut pieces: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
+        for (index, from) in line.iter().enumerate() {
+            let last = pieces.last_mut();
+            let Some(to) = line.get(index + 1) else {
+                if (low..=high).contains(&from[1]) {
+                    last.into_iter().for_each(|piece| piece.push(*from));
+                }
+                break;
+            };
+            let Some([begin, end]) = between([*from, *to], [low, high]) else {
+                continue;
+            };
+            last.into_iter().for_each(|piece| piece.push(begin));
+            if end != *to {
+                pieces
+                    .last_mut()
+                    .into_iter()
+                    .for_each(|piece| piece.push(end));
+                pieces.push(Vec::new());
+            }
+        }
+        pieces.retain(|piece| !piece.is_empty());
+        pieces
     }
 
     /// Where a value lies in the plot.
@@ -107,6 +142,25 @@ impl Axis {
         };
         hints.formatter(move |mark, range| tick(mark, is_logarithmic, range.end() - range.start()))
     }
+}
+
+/// The part of a segment whose heights lie between `low` and `high`.
+fn between([from, to]: [[f64; 2]; 2], [low, high]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let ([x, y], [dx, dy]) = (from, [to[0] - from[0], to[1] - from[1]]);
+    let at = |height: f64| (height - y) / dy;
+    let [first, last] = if dy == 0.0 {
+        [0.0, if (low..=high).contains(&y) { 1.0 } else { -1.0 }]
+    } else {
+        let (a, b) = (at(low), at(high));
+        [a.min(b).max(0.0), a.max(b).min(1.0)]
+    };
+    // The ends of the segment itself as they are, without rounding.
+    let point = |share: f64| match share {
+        0.0 => from,
+        1.0 => to,
+        _ => [x + share * dx, (y + share * dy).clamp(low, high)],
+    };
+    (first <= last).then(|| [point(first), point(last)])
 }
 
 /// The marks of an axis of degrees that shows these ends.
@@ -170,6 +224,36 @@ mod tests {
         let steps: Vec<f64> = marks.iter().map(|m| m.step_size).collect();
         assert_eq!(steps[..5], [8.0, 1.0, 2.0, 1.0, 4.0]);
         assert_eq!(steps.len(), 17);
+    }
+
+    #[test]
+    fn curves_end_where_their_axis_does() {
+        let open = Axis::linear("f", [0.0, 1.0]);
+        let cut = Axis {
+            is_cut: true,
+            ..open.clone()
+        };
+        let line = vec![[0.0, 0.5], [1.0, 1.5], [2.0, 1.5], [3.0, 0.5], [4.0, -0.5]];
+        assert_eq!(open.cut(line.clone()), [line.clone()]);
+        let pieces = cut.cut(line.clone());
+        assert_eq!(
+            pieces,
+            [
+                vec![[0.0, 0.5], [0.5, 1.0]],
+                vec![[2.5, 1.0], [3.0, 0.5], [3.5, 0.0]]
+            ]
+        );
+        assert_eq!(
+            cut.cut(vec![[0.0, 2.0], [1.0, 3.0]]),
+            Vec::<Vec<[f64; 2]>>::new()
+        );
+        assert_eq!(
+            cut.cut(vec![[0.0, -1.0], [1.0, 2.0]]).len(),
+            1,
+            "through both ends"
+        );
+        let inside = vec![[0.0, 0.0], [1.0, 1.0]];
+        assert_eq!(cut.cut(inside.clone()), [inside]);
     }
 
     #[test]

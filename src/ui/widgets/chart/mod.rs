@@ -183,16 +183,18 @@ impl Chart {
         }
         for series in &self.series {
             for line in &series.lines {
-                let points = line
+                let places = line
                     .iter()
                     .map(|[x, y]| [self.x.place(*x), self.y.place(*y)]);
-                let line = Line::new("", points.collect::<PlotPoints<'_>>())
-                    .stroke((series.width, series.color))
-                    .style(style(series.dash))
-                    // The line itself, every point of it: a band is thin where the curve is steep.
-                    .allow_band(false)
-                    .allow_hover(false);
-                plot_ui.line(line);
+                for piece in self.y.cut(places.collect()) {
+                    let line = Line::new("", PlotPoints::from(piece))
+                        .stroke((series.width, series.color))
+                        .style(style(series.dash))
+                        // The line itself, every point of it: a band is thin where the curve is steep.
+                        .allow_band(false)
+                        .allow_hover(false);
+                    plot_ui.line(line);
+                }
             }
         }
         for dots in &self.dots {
