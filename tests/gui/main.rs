@@ -29,6 +29,7 @@ mod materials;
 mod number_field;
 mod numbers;
 mod numerics;
+mod overlap;
 mod overlay;
 mod picker;
 mod render;

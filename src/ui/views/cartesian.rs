@@ -254,16 +254,16 @@ fn x_axis(session: &Session, options: &Options) -> Axis {
             let free = session.free_name();
             let azimuth = format::degrees(options.own_section_deg.of(session).azimuth_deg);
             let name = format!("θ of the {free} in the section at azimuth {azimuth} (degrees)");
-            Axis::degrees(name, [-end, end])
+            Axis::degrees(name, [-end, end]).or_short(format!("θ of the {free} (degrees)"))
         }
         Abscissa::Half => {
             let name = format!("θh, the half vector's angle from n, at θd {fixed} (degrees)");
-            Axis::degrees(name, [0.0, 90.0])
+            Axis::degrees(name, [0.0, 90.0]).or_short("θh (degrees)")
         }
         Abscissa::Difference => {
             let name =
                 format!("θd, the light's angle from the half vector, at θh {fixed} (degrees)");
-            Axis::degrees(name, [0.0, 90.0])
+            Axis::degrees(name, [0.0, 90.0]).or_short("θd (degrees)")
         }
     }
 }

@@ -139,7 +139,7 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
         "ρ, share that leaves"
     };
     let x = Axis::degrees("θ of the light (degrees)", [0.0, 90.0]);
-    let y = Axis::of_values(y_name, [least, highest], None);
+    let y = Axis::of_values(y_name, [least, highest], None).or_short("ρ");
     let mut chart = Chart::of("Reflectance", [x, y], series);
     chart.bands = bands;
     chart.has_names = options.split != Split::Total;

@@ -203,6 +203,9 @@ pub(super) fn offer_peaks<O>(
     let place = room.shrink(theme::TILE_MARGIN);
     let place = place.with_max_x(place.left() + OFFER_SHARE * place.width());
     let mut above = ui.new_child(UiBuilder::new().max_rect(place).id_salt("offer peaks"));
+    if place.width() < LEAST_OFFER {
+        return;
+    }
     let text = format!(
         "{} is {} % of the scale",
         draw::clipped(&title, LONGEST_TITLE),
@@ -219,6 +222,9 @@ pub(super) fn offer_peaks<O>(
 
 /// The share of a view's width that the offer takes: the corner that the circle leaves free.
 const OFFER_SHARE: f32 = 0.27;
+
+/// In less width there is no room for it, in points.
+const LEAST_OFFER: f32 = 100.0;
 
 /// The most characters of a name in it.
 const LONGEST_TITLE: usize = 24;

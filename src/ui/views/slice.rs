@@ -16,14 +16,17 @@ use bxdf_study::session::{EntryId, MaterialEntry};
 use bxdf_study::views::DECADES;
 use bxdf_study::views::slice::{DIFFERENCE_AZIMUTH, Options};
 
+/// Room for what stands at a delta, beyond the right and the lower edge, in points.
+const END_ROOM: egui::Vec2 = vec2(4.0, 12.0);
+
 /// Room for the names and numbers of the axes, in points: at the left and below.
 const LABELS: egui::Vec2 = vec2(34.0, 30.0);
 
 /// Between the title and the picture, in points.
 const TITLE_GAP: f32 = 5.0;
 
-/// The angles written at the axes, in degrees.
-const TICKS_DEG: [f64; 4] = [0.0, 30.0, 60.0, 90.0];
+/// The angles written at the axes, in degrees: the ends first.
+const TICKS_DEG: [f64; 4] = [0.0, 90.0, 30.0, 60.0];
 
 /// Of so many pixels one is looked at to find the range of colours: a prime, so that all columns are met.
 const EVERY: usize = 37;
@@ -132,7 +135,13 @@ fn show_slice(
     let textures = &mut cx.state.textures;
     let response = pictures::show(ui, textures, cell, picture, cx.session, cx.palette, paint);
     let request = cx.options.request(cx.session);
-    draw_axes(ui, cell.picture, &request, cx.palette);
+    let theta_d = theta_d_held(cx);
+    let ring = pictures::position_of(cell.picture, place([0.0, theta_d], &request));
+    let ring =
+        Rect::from_center_size(ring, egui::Vec2::splat(2.0 * deltas::BESIDE_RING)).shrink(1.0);
+    let has_ring = delta_at(cx, entry, theta_d).is_some();
+    let mut taken = Vec::from_iter(has_ring.then_some(ring));
+    draw_axes(ui, cell.picture, &request, &mut taken, cx.palette);
     if cx.options.has_regions && cell.picture.width() > ROOM_FOR_NAMES {
         let mut taken = Vec::new();
         for region in &REGIONS {
@@ -146,7 +155,7 @@ fn show_slice(
             );
         }
     }
-    draw_delta(ui, cx, cell.picture, entry);
+    draw_delta(ui, cx, cell.picture, &mut taken, entry);
     point(ui, cx, cell.picture, (entry, slice), &response);
 }
 
@@ -160,10 +169,21 @@ fn delta_at(cx: &mut ViewContext<'_, Options>, entry: EntryId, theta_d_deg: f64)
     Some(Channel::Luminance.of(share))
 }
 
-/// The delta of a mirror: it stands along the edge theta_h = 0, with a ring at the theta_d of the direction held.
-fn draw_delta(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, entry: EntryId) {
+/// The theta_d of a mirror under the direction held, in degrees.
+fn theta_d_held(cx: &ViewContext<'_, Options>) -> f64 {
     let theta = cx.session.theta_deg;
-    let theta_d = theta.min(180.0 - theta);
+    theta.min(180.0 - theta)
+}
+
+/// The delta of a mirror: it stands along the edge theta_h = 0, with a ring at the theta_d of the direction held.
+fn draw_delta(
+    ui: &Ui,
+    cx: &mut ViewContext<'_, Options>,
+    rect: Rect,
+    taken: &mut Vec<Rect>,
+    entry: EntryId,
+) {
+    let theta_d = theta_d_held(cx);
     let Some(share) = delta_at(cx, entry, theta_d) else {
         return;
     };
@@ -171,13 +191,14 @@ fn draw_delta(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, entry: Ent
         return;
     };
     let color = cx.palette.material(found.slot());
-    let painter = ui.painter_at(rect.expand(2.0 * deltas::BESIDE_RING));
+    let beside = vec2(deltas::BESIDE_RING, deltas::BESIDE_RING);
+    let painter = ui.painter_at(Rect::from_min_max(rect.min - beside, rect.max + END_ROOM));
     painter.vline(rect.left(), rect.y_range(), (3.0, color));
     let at = pictures::position_of(rect, place([0.0, theta_d], &cx.options.request(cx.session)));
     deltas::ring(&painter, at, (color, cx.palette), true);
     let beside = (at + vec2(deltas::BESIDE_RING, 0.0), Align2::LEFT_CENTER);
     let (text, look) = (deltas::label(share), (cx.palette.ink, cx.palette));
-    deltas::write(ui, &painter, &mut Vec::new(), beside, &text, look);
+    deltas::write(ui, &painter, taken, beside, &text, look);
 }
 
 /// Where angles stand in the picture, as a share from its upper left.
@@ -187,28 +208,23 @@ fn place([theta_h_deg, theta_d_deg]: [f64; 2], request: &Request) -> [f64; 2] {
     [x, 1.0 - theta_d_deg / 90.0]
 }
 
-fn draw_axes(ui: &Ui, rect: Rect, request: &Request, palette: &Palette) {
+/// The edges, their names and numbers: of the numbers those that have room beside one another and what is `taken`.
+fn draw_axes(ui: &Ui, rect: Rect, request: &Request, taken: &mut Vec<Rect>, palette: &Palette) {
     let painter = ui.painter();
     let font = draw::small_font(ui);
     painter.rect_stroke(rect, 0.0, (1.0, palette.axis), egui::StrokeKind::Outside);
     for tick in TICKS_DEG {
         let text = format::degrees(tick);
+        let galley = painter.layout_no_wrap(text, font.clone(), palette.faint_ink);
         let below = pictures::position_of(rect, place([tick, 0.0], request)) + vec2(0.0, 3.0);
-        painter.text(
-            below,
-            Align2::CENTER_TOP,
-            &text,
-            font.clone(),
-            palette.faint_ink,
-        );
         let left = pictures::position_of(rect, place([0.0, tick], request)) - vec2(4.0, 0.0);
-        painter.text(
-            left,
-            Align2::RIGHT_CENTER,
-            &text,
-            font.clone(),
-            palette.faint_ink,
-        );
+        for (at, anchor) in [(below, Align2::CENTER_TOP), (left, Align2::RIGHT_CENTER)] {
+            let place = anchor.anchor_size(at, galley.size());
+            if !taken.iter().any(|other| other.intersects(place)) {
+                taken.push(place);
+                painter.galley(place.min, galley.clone(), palette.faint_ink);
+            }
+        }
     }
     let name = if request.is_square_root {
         "θh (half vector), by its square root"

@@ -71,7 +71,8 @@ pub fn ring(painter: &Painter, at: Pos2, (color, palette): (Color32, &Palette), 
 /// How far from a ring's middle its label stands, in points.
 pub const BESIDE_RING: f32 = RING + 5.0;
 
-/// Writes the label of a delta at `place`, or near it where none of `taken` stands, inside what can be seen.
+/// Writes the label of a delta at `place`, or near it where none of `taken` stands, inside what can be seen; where there is no
+/// such place, the ring stands alone.
 pub fn write(
     ui: &Ui,
     painter: &Painter,
@@ -85,6 +86,10 @@ pub fn write(
     let wanted = anchor.anchor_size(place, galley.size() + vec2(6.0, 2.0));
     let wanted = draw::inside(wanted, painter.clip_rect());
     let rect = draw::free_place(taken, wanted);
+    let is_taken = |other: &Rect| *other != rect && other.intersects(rect);
+    if taken.iter().any(is_taken) || !painter.clip_rect().contains_rect(rect) {
+        return;
+    }
     let centre = (rect.center(), Align2::CENTER_CENTER);
     draw::haloed_text(painter, centre.0, centre.1, text, font, color, palette);
 }

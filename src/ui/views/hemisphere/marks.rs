@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Rect, Ui};
+use egui::{Align2, Pos2, Rect, Ui};
 use glam::DVec3;
 
 use super::super::context::ViewContext;
@@ -43,21 +43,18 @@ pub(super) fn draw_grid(ui: &Ui, projection: Projection, rect: Rect, palette: &P
             );
         }
     }
+    for (place, anchor, name) in axis_names(rect) {
+        painter.text(place, anchor, name, font.clone(), palette.ink);
+    }
+}
+
+/// Where the names of the axes of the surface stand.
+fn axis_names(rect: Rect) -> [(Pos2, Align2, &'static str); 2] {
     let [right, top] = [rect.right_center(), rect.center_top()];
-    painter.text(
-        right + egui::vec2(4.0, 0.0),
-        Align2::LEFT_CENTER,
-        "s",
-        font.clone(),
-        palette.ink,
-    );
-    painter.text(
-        top - egui::vec2(0.0, 2.0),
-        Align2::CENTER_BOTTOM,
-        "t",
-        font,
-        palette.ink,
-    );
+    [
+        (right + egui::vec2(4.0, 0.0), Align2::LEFT_CENTER, "s"),
+        (top - egui::vec2(0.0, 2.0), Align2::CENTER_BOTTOM, "t"),
+    ]
 }
 
 /// The mirror direction, light and viewer, those on the other side as they would be seen through the surface.
@@ -110,7 +107,11 @@ pub(super) fn draw_deltas(
     };
     let painter = ui.painter_at(rect.expand(LABELS));
     let color = cx.palette.material(found.slot());
-    let mut taken = Vec::new();
+    let size = egui::Vec2::splat(draw::small_font(ui).size);
+    let names = axis_names(rect).into_iter();
+    let mut taken: Vec<Rect> = names
+        .map(|(place, anchor, _)| anchor.anchor_size(place, size))
+        .collect();
     for w in [session.held(), session.other()] {
         if (w.z > 0.0) != options.is_lower {
             taken.push(handle::room(position(rect, w, options.projection)));

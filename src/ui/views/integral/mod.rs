@@ -38,8 +38,11 @@ const PANEL: [f32; 2] = [230.0, 340.0];
 /// The width of the bar beside a small picture, in points.
 const SLIM_BAR: f32 = 12.0;
 
+/// The part of a small picture that the numbers below it take at most.
+const TEXT_SHARE: f32 = 0.45;
+
 /// Below narrower pictures the numbers stand in short lines, by their width in points.
-const NARROW: f32 = 250.0;
+const NARROW: f32 = 270.0;
 
 /// A patch that is turned away counts as if it were seen under this cosine, where one is chosen.
 const FACING: f64 = 0.2;
@@ -344,8 +347,10 @@ impl Shown<'_> {
         let font = draw::small_font(ui);
         let line = font.size + 4.0;
         let is_narrow = rect.width() < NARROW;
-        let lines = if is_narrow { 3.0 } else { 2.0 };
-        let picture = rect.with_max_y(rect.bottom() - lines * line);
+        let most = if is_narrow { 3 } else { 2 };
+        // The picture comes first.
+        let lines = ((TEXT_SHARE * rect.height() / line) as usize).min(most);
+        let picture = rect.with_max_y(rect.bottom() - lines as f32 * line);
         let bar = picture
             .with_min_x(picture.right() - SLIM_BAR)
             .shrink2(vec2(0.0, 6.0));
@@ -370,9 +375,13 @@ impl Shown<'_> {
             cx.palette.ink
         };
         let painter = ui.painter_at(rect);
-        for (row, text) in texts.into_iter().enumerate() {
+        let galleys = texts
+            .into_iter()
+            .map(|text| painter.layout_no_wrap(text, font.clone(), color))
+            .filter(|galley| galley.size().x <= rect.width());
+        for (row, galley) in galleys.take(lines).enumerate() {
             let at = egui::pos2(rect.left(), picture.bottom() + row as f32 * line);
-            painter.text(at, egui::Align2::LEFT_TOP, text, font.clone(), color);
+            painter.galley(at, galley, color);
         }
     }
 }

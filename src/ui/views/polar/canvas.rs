@@ -13,21 +13,12 @@ use crate::theme::Dash;
 use crate::widgets::{chart, deltas as arrows, draw};
 use bxdf_lab::analysis::polar::{self, Point};
 use bxdf_lab::analysis::{Channel, deltas};
-use bxdf_study::format;
 use bxdf_study::session::{Curves, EntryId, PaletteIndex, Section, Session};
 
-/// Radius of the angle labels.
-const ANGLE_LABEL_RADIUS: f64 = 1.075;
-/// Radius of the names of directions.
-const NAME_RADIUS: f64 = 1.15;
 /// Width of the note, as a share of the plot's.
 const NOTE_WIDTH: f32 = 0.27;
-/// Names nearer to one another than this, in radians, would overlap.
-const NAME_SPACING: f64 = 0.16;
-/// Plots that are narrower, in points, have every other angle and the outermost ring alone numbered.
-const SMALL_WIDTH: f32 = 300.0;
 /// Spacing of the angle rays.
-const RAY_STEP_DEG: i32 = 15;
+pub(super) const RAY_STEP_DEG: i32 = 15;
 
 fn line<'a>(points: impl IntoIterator<Item = [f64; 2]>, stroke: impl Into<Stroke>) -> Line<'a> {
     Line::new("", PlotPoints::from_iter(points))
@@ -107,16 +98,16 @@ pub(super) fn draw_curves(
 }
 
 /// A direction that is named.
-struct Way {
-    name: &'static str,
-    angle: f64,
-    color: Color32,
+pub(super) struct Way {
+    pub(super) name: &'static str,
+    pub(super) angle: f64,
+    pub(super) color: Color32,
     /// Whether it lies in the section.
     is_inside: bool,
 }
 
 /// The directions that are named, by importance: light and viewer, the mirror direction and n.
-fn named_directions(
+pub(super) fn named_directions(
     session: &Session,
     directions: &[Named],
     section: Section,
@@ -180,11 +171,11 @@ pub(super) struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
-    fn painter(&self) -> egui::Painter {
+    pub(super) fn painter(&self) -> egui::Painter {
         self.ui.painter_at(*self.transform.frame())
     }
 
-    fn position(&self, radius: f64, angle: f64) -> Pos2 {
+    pub(super) fn position(&self, radius: f64, angle: f64) -> Pos2 {
         let [x, y] = at(radius, angle);
         self.transform.position_from_point(&PlotPoint::new(x, y))
     }
@@ -211,104 +202,6 @@ impl Canvas<'_> {
                 }
             }
             self.painter().add(mesh);
-        }
-    }
-
-    /// The numbers of the grid, but those that would lie below what is `taken`: a share is worth more than one of many angles.
-    pub(super) fn label_grid(
-        &self,
-        rings: &Rings,
-        taken: &[Rect],
-        palette: &theme::Palette,
-        has_lower: bool,
-    ) {
-        let painter = self.painter();
-        let text = |position: Pos2, anchor: Align2, text: String| {
-            let font = draw::small_font(self.ui);
-            let galley = painter.layout_no_wrap(text, font, palette.faint_ink);
-            let rect = anchor.anchor_size(position, galley.size());
-            if !taken.iter().any(|other| other.intersects(rect)) {
-                painter.galley(rect.min, galley, palette.faint_ink);
-            }
-        };
-        let limit: i32 = if has_lower { 180 } else { 90 };
-        let is_small = self.transform.frame().width() < SMALL_WIDTH;
-        let step = if is_small {
-            2 * RAY_STEP_DEG
-        } else {
-            RAY_STEP_DEG
-        };
-        for angle_deg in (-limit..=limit)
-            .step_by(step as usize)
-            .filter(|a| *a != -180)
-        {
-            let angle = f64::from(angle_deg).to_radians();
-            text(
-                self.position(ANGLE_LABEL_RADIUS, angle),
-                Align2::CENTER_CENTER,
-                format!("{}°", angle_deg.abs()),
-            );
-        }
-        let below = vec2(0.0, 4.0);
-        let skipped = if is_small {
-            rings.ticks.len().saturating_sub(1)
-        } else {
-            0
-        };
-        let of_value = |tick: &f64| rings.radius(*tick);
-        let mut ticks = rings.ticks.clone();
-        ticks.sort_by(|a, b| of_value(a).total_cmp(&of_value(b)));
-        for tick in ticks.iter().skip(skipped) {
-            let place = self.position(rings.radius(*tick), FRAC_PI_2) + below;
-            text(place, Align2::CENTER_TOP, format::value(*tick));
-        }
-        if !is_small {
-            text(
-                self.position(0.5, -FRAC_PI_2) + below,
-                Align2::CENTER_TOP,
-                rings.quantity.clone(),
-            );
-        }
-    }
-
-    pub(super) fn name_directions(
-        &self,
-        session: &Session,
-        directions: &[Named],
-        section: Section,
-        palette: &theme::Palette,
-    ) {
-        let painter = self.painter();
-        let mut taken: Vec<f64> = Vec::new();
-        for way in named_directions(session, directions, section, palette) {
-            let Way {
-                name, angle, color, ..
-            } = way;
-            // Where directions fall together, the first named stands for all.
-            if taken
-                .iter()
-                .any(|other| (angle - other).abs() < NAME_SPACING)
-            {
-                continue;
-            }
-            taken.push(angle);
-            let position = self.position(NAME_RADIUS, angle);
-            // Outwards from the circle, so that the text stays clear of the angle labels.
-            let anchor = match angle.sin() {
-                x if x > 0.3 => Align2::LEFT_CENTER,
-                x if x < -0.3 => Align2::RIGHT_CENTER,
-                _ if angle.cos() < 0.0 => Align2::CENTER_TOP,
-                _ => Align2::CENTER_BOTTOM,
-            };
-            draw::haloed_text(
-                &painter,
-                position,
-                anchor,
-                name,
-                draw::body_font(self.ui),
-                color,
-                palette,
-            );
         }
     }
 

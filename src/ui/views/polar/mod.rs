@@ -18,6 +18,7 @@ use radial::{Radial, Rings, at};
 
 mod canvas;
 mod handles;
+mod names;
 mod radial;
 
 /// The room beside the plot's unit circle that labels need, and above it.
@@ -194,6 +195,7 @@ fn show_plot(
     for one in plotted {
         canvas.draw_arrows(one, &mut taken, &palette);
     }
+    taken.extend(canvas.handles(&directions, section));
     canvas.label_grid(&rings, &taken, &palette, has_lower);
     canvas.name_directions(cx.session, &directions, section, &palette);
     canvas.name_curves(cx.session, &palette);

@@ -165,15 +165,12 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
             let text = format!("{number} in the delta {side}");
             let below = at + vec2(0.0, if is_upper { -16.0 } else { 16.0 });
             let font = draw::small_font(ui);
-            draw::haloed_text(
-                painter,
-                below,
-                Align2::CENTER_CENTER,
-                &text,
-                font,
-                cx.palette.ink,
-                cx.palette,
-            );
+            let (anchor, ink) = (Align2::CENTER_CENTER, cx.palette.ink);
+            let galley = painter.layout_no_wrap(text.clone(), font.clone(), ink);
+            // In a small disc the ring stands alone.
+            if galley.size().x < disc.rect.width() {
+                draw::haloed_text(painter, below, anchor, &text, font, ink, cx.palette);
+            }
         }
     }
     if study.lost > 0 {

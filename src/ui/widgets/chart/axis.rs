@@ -18,6 +18,8 @@ const DECADES: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 pub struct Axis {
     /// What it measures, with its unit.
     pub name: String,
+    /// What stands there where there is no room for its name; nothing where there is none for that either.
+    pub short_name: String,
     /// Its ends, in that unit.
     pub range: [f64; 2],
     /// Whether it goes by decades: both ends are above 0 then.
@@ -34,6 +36,7 @@ impl Axis {
     pub fn linear(name: impl Into<String>, range: [f64; 2]) -> Self {
         Self {
             name: name.into(),
+            short_name: String::new(),
             range,
             is_logarithmic: false,
             is_angle: false,
@@ -72,10 +75,20 @@ impl Axis {
         };
         Self {
             name: name.into(),
+            short_name: String::new(),
             range,
             is_logarithmic: decades.is_some(),
             is_angle: false,
             is_cut: false,
+        }
+    }
+
+    /// The same axis, called so where there is no room for its name.
+    #[must_use]
+    pub fn or_short(self, short_name: impl Into<String>) -> Self {
+        Self {
+            short_name: short_name.into(),
+            ..self
         }
     }
 
@@ -133,12 +146,20 @@ impl Axis {
         self.range.map(|end| self.place(end))
     }
 
-    pub(super) fn hints(&self, hints: AxisHints<'static>) -> AxisHints<'static> {
+    /// How it is drawn; `fits`: whether there is room for a name.
+    pub(super) fn hints(
+        &self,
+        hints: AxisHints<'static>,
+        fits: impl Fn(&str) -> bool,
+    ) -> AxisHints<'static> {
         let is_logarithmic = self.is_logarithmic;
-        let hints = if self.name.is_empty() {
-            hints
-        } else {
-            hints.label(self.name.clone())
+        let names = [&self.name, &self.short_name].into_iter();
+        let name = names
+            .filter(|name| !name.is_empty())
+            .find(|name| fits(name));
+        let hints = match name {
+            Some(name) => hints.label(name.clone()),
+            None => hints,
         };
         hints.formatter(move |mark, range| tick(mark, is_logarithmic, range.end() - range.start()))
     }

@@ -23,6 +23,9 @@ mod stems;
 const END_ROOM: f32 = 12.0;
 const LEAST_HEIGHT: f32 = 30.0;
 
+/// Room that the numbers of one axis take from the name of the other, in points.
+const AXIS_ROOM: f32 = 44.0;
+
 /// All that a chart shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
@@ -103,6 +106,13 @@ impl Chart {
         );
         // The last number below stands half beside the plot.
         let room = vec2(ui.available_width() - END_ROOM, height);
+        let fits = |room: f32| {
+            let (painter, font) = (ui.painter(), egui::TextStyle::Body.resolve(ui.style()));
+            move |name: &str| {
+                let galley = painter.layout_no_wrap(name.to_owned(), font.clone(), palette.ink);
+                galley.size().x <= room - AXIS_ROOM
+            }
+        };
         let ([x_low, x_high], [y_low, y_high]) = (self.x.ends(), self.y.ends());
         let salt = ("chart", &self.name, self.y.is_logarithmic, &self.x.name);
         let id = ui.make_persistent_id(IdSalt::new(salt));
@@ -110,8 +120,8 @@ impl Chart {
             .id(id)
             .width(room.x)
             .height(room.y)
-            .custom_x_axes(vec![self.x.hints(AxisHints::new_x())])
-            .custom_y_axes(vec![self.y.hints(AxisHints::new_y())])
+            .custom_x_axes(vec![self.x.hints(AxisHints::new_x(), fits(room.x))])
+            .custom_y_axes(vec![self.y.hints(AxisHints::new_y(), fits(room.y))])
             .set_margin_fraction(vec2(0.0, 0.0))
             .include_x(x_low)
             .include_x(x_high)
