@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, Ui};
 
+use super::app::left::Left;
 use super::app::{App, keys};
 use super::commands::{self, COMMANDS, Command, Group, OPEN, help, search};
 use super::theme::{self, Palette};
@@ -28,6 +29,7 @@ impl App {
             self.clicked = Some(view);
         }
         self.answers.asked_by(Some(view));
+        let mark = self.mark(ui.ctx());
         let mut cx = ViewContext {
             view,
             session: &mut self.session,
@@ -35,6 +37,7 @@ impl App {
             answers: &mut self.answers,
             state: &mut self.state,
             cursor: self.cursor,
+            mark,
             pointed: &mut self.pointed,
             palette,
         };
@@ -152,10 +155,19 @@ impl App {
         self.said.show(ctx, views);
     }
 
+    /// What the views mark, and how strongly, 0 to 1: what is pointed at, and for a moment what was.
+    fn mark(&self, ctx: &Context) -> Option<(Cursor, f32)> {
+        let pointed = self.cursor.map(|cursor| (cursor, 1.0));
+        let now = ctx.input(|input| input.time);
+        pointed.or_else(|| self.left.map(|left| left.mark(now)))
+    }
+
     /// Takes what the views of this frame say is pointed at, which the next one shows; `before`: what this one has shown.
     fn point(&mut self, ctx: &Context, before: Option<Cursor>) {
         self.cursor = self.pointed.take();
-        if self.cursor != before {
+        let now = ctx.input(|input| input.time);
+        self.left = Left::next(self.left, (self.cursor, before), now);
+        if self.cursor != before || self.left.is_some() {
             ctx.request_repaint();
         }
     }

@@ -20,7 +20,7 @@ const RESET: &str = "Reset view";
 type Dragged = (&'static str, &'static str, &'static str, Vec2);
 
 /// Every handle of every view.
-const HANDLES: [Dragged; 5] = [
+const HANDLES: [Dragged; 6] = [
     (
         "polar",
         "Light in the polar plot",
@@ -35,6 +35,7 @@ const HANDLES: [Dragged; 5] = [
         vec2(0.6, 0.8),
     ),
     ("sphere", "Light of the sphere", "gold", vec2(0.6, 0.8)),
+    ("sphere", "Viewer of the sphere", "gold", vec2(0.6, 0.8)),
     ("tradeoff", "Line of the tolerance", "gold", vec2(0.0, 1.0)),
 ];
 

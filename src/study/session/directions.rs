@@ -105,6 +105,15 @@ impl Session {
             Hold::Viewer => self.other(),
         }
     }
+
+    /// The viewer, a unit vector.
+    #[must_use]
+    pub fn viewer(&self) -> DVec3 {
+        match self.hold {
+            Hold::Light => self.other(),
+            Hold::Viewer => self.held(),
+        }
+    }
 }
 
 /// Whether a direction is far enough from n to have an azimuth.

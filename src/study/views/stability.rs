@@ -8,7 +8,6 @@ use super::words::words;
 use crate::answers::Answers;
 use crate::export::table::Table;
 use crate::session::Session;
-use bxdf_lab::analysis::Hold;
 use bxdf_lab::stability::map::{Axis, Place, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
@@ -105,14 +104,12 @@ impl Options {
         (x, find(&self.y).unwrap_or(Axis::ThetaO))
     }
 
-    /// The map of the selected material's errors, cut through the held direction and its mirror direction.
+    /// The map of the selected material's errors, cut through the pair of light and viewer.
     #[must_use]
     pub fn request(&self, session: &Session) -> Request {
         let (x, y) = self.axes(session);
-        let held = session.held();
-        let mirror = DVec3::new(-held.x, -held.y, held.z);
         Request {
-            place: place(session, held, mirror),
+            place: place(session, session.viewer(), session.light()),
             x,
             y,
             size: SIZE,
@@ -120,14 +117,10 @@ impl Options {
     }
 }
 
-/// The place of the selected material and a pair: the direction held, and the other one.
+/// The place of the selected material and a pair of directions.
 #[must_use]
-pub fn place(session: &Session, held: DVec3, free: DVec3) -> Place {
-    let [held, free] = [held, free].map(|w| session.on_surface(w));
-    let (wo, wi) = match session.hold {
-        Hold::Light => (free, held),
-        Hold::Viewer => (held, free),
-    };
+pub fn place(session: &Session, wo: DVec3, wi: DVec3) -> Place {
+    let [wo, wi] = [wo, wi].map(|w| session.on_surface(w));
     Place::of(session.material(), wo, wi)
 }
 
@@ -140,7 +133,7 @@ impl ViewOptions for Options {
         vec![&self.x, &self.y, &self.trial]
     }
 
-    /// The errors over the two axes, through the mirror direction of the held one.
+    /// The errors over the two axes, through the pair of light and viewer.
     fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let mut table = Table::new(&[
             "material",

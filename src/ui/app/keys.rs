@@ -2,7 +2,7 @@
 
 use egui::{Context, Event, Key};
 
-use crate::widgets::number::work::{self, Work};
+use crate::widgets::work::{self, Work};
 
 /// Keys that change the value of a control a little at a time.
 const MOVING_OR_TYPING: [Key; 6] = [

@@ -33,6 +33,7 @@ use bxdf_study::session::{Session, ViewId};
 use bxdf_study::store::Side;
 use exports::Exports;
 use files::Files;
+use left::Left;
 use readings::Reading;
 
 mod asking;
@@ -43,6 +44,7 @@ mod files;
 mod filing;
 mod first_steps;
 pub(super) mod keys;
+pub(super) mod left;
 mod picture;
 mod presenting;
 mod reading;
@@ -65,6 +67,8 @@ pub struct App {
     pub(super) cursor: Option<Cursor>,
     /// What the views of this frame say of it.
     pub(super) pointed: Option<Cursor>,
+    /// What was pointed at until a moment ago.
+    pub(super) left: Option<Left>,
     pub(super) only: Option<ViewId>,
     /// The view last clicked into.
     pub(super) clicked: Option<ViewId>,
@@ -121,6 +125,7 @@ impl App {
             state: ViewState::default(),
             cursor: None,
             pointed: None,
+            left: None,
             only,
             clicked: None,
             picker: Picker::default(),

@@ -12,6 +12,10 @@ const GESTURES: [(&str, &[(&str, &str)]); 5] = [
         "In the views",
         &[
             ("Drag the round handle", "Move the light or the viewer"),
+            (
+                "Arrows, at a handle with the focus",
+                "Move it by 1°; with Shift by 0.1°",
+            ),
             ("Drag the 3D lobe", "Orbit the camera; with Shift, pan it"),
             ("Scroll or pinch", "Zoom"),
             (

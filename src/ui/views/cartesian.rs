@@ -273,9 +273,9 @@ fn point_at_direction(ui: &Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart,
     let azimuth = cx.options.own_section_deg.of(cx.session).phi();
     let pointed = chart.pointed(shown).filter(|[x, _]| x.abs() <= 180.0);
     let Some([x, _]) = pointed else {
-        if let Some(cursor) = &cx.cursor {
+        if let Some((cursor, strength)) = &cx.mark {
             let x = polar::signed_angle(cursor.direction, azimuth).to_degrees();
-            chart.mark(ui, shown, x, cx.palette);
+            chart.mark(ui, shown, x, (cx.palette, *strength));
         }
         return;
     };
@@ -301,7 +301,7 @@ fn point_at_pair(ui: &Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart, show
                 Abscissa::Difference => pair.difference.theta_deg,
                 _ => pair.half.theta_deg,
             };
-            chart.mark(ui, shown, x, cx.palette);
+            chart.mark(ui, shown, x, (cx.palette, 1.0));
         }
         return;
     };

@@ -34,6 +34,8 @@ pub struct ViewContext<'a, O = ()> {
     pub state: &'a mut ViewState,
     /// The direction pointed at, which every view shows.
     pub cursor: Option<Cursor>,
+    /// The direction that is marked, and how strongly, 0 to 1: the one pointed at, and for a moment the one that was.
+    pub mark: Option<(Cursor, f32)>,
     /// Where the view says what is pointed at in it, in every frame: what no view says any more is not pointed at.
     pub pointed: &'a mut Option<Cursor>,
     /// The colours.
@@ -76,6 +78,7 @@ impl<O> ViewContext<'_, O> {
             answers: self.answers,
             state: self.state,
             cursor: self.cursor,
+            mark: self.mark,
             pointed: self.pointed,
             palette: self.palette,
         }
@@ -83,9 +86,20 @@ impl<O> ViewContext<'_, O> {
 
     /// The pair of directions pointed at, wo and wi; that of the session while nobody points.
     pub(super) fn pair(&self) -> (DVec3, DVec3) {
-        let held = self.session.held();
         let pointed = self.cursor.map(|cursor| cursor.direction);
-        let free = pointed.unwrap_or_else(|| self.session.other());
+        self.pair_with(pointed.unwrap_or_else(|| self.session.other()))
+    }
+
+    /// The pair of directions that is marked, and how strongly.
+    pub(super) fn marked_pair(&self) -> Option<(DVec3, DVec3, f32)> {
+        let (cursor, strength) = self.mark?;
+        let (wo, wi) = self.pair_with(cursor.direction);
+        Some((wo, wi, strength))
+    }
+
+    /// The held direction and this one as wo and wi.
+    fn pair_with(&self, free: DVec3) -> (DVec3, DVec3) {
+        let held = self.session.held();
         match self.session.hold {
             Hold::Light => (free, held),
             Hold::Viewer => (held, free),

@@ -161,9 +161,9 @@ fn show_chart(
             material: entry,
             direction: polar::direction(x.to_radians(), azimuth),
         });
-    } else if let Some(cursor) = &cx.cursor {
+    } else if let Some((cursor, strength)) = &cx.mark {
         let x = polar::signed_angle(cursor.direction, azimuth).to_degrees();
-        chart.mark(ui, &shown, x, cx.palette);
+        chart.mark(ui, &shown, x, (cx.palette, *strength));
     }
 }
 

@@ -10,6 +10,7 @@ pub use context::{ViewContext, ViewState};
 mod cartesian;
 mod context;
 mod decomposition;
+mod direction;
 mod fresnel;
 mod hemisphere;
 mod inspector;

@@ -37,7 +37,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         .pointed(&shown)
         .filter(|[x, _]| (0.0..=90.0).contains(x));
     let Some([x, _]) = pointed else {
-        chart.mark(ui, &shown, held_angle(cx.session), cx.palette);
+        chart.mark(ui, &shown, held_angle(cx.session), (cx.palette, 1.0));
         return;
     };
     chart.read_out(

@@ -2,6 +2,7 @@
 
 use egui::Ui;
 
+use crate::widgets::hint::at_number;
 use crate::widgets::number::Number;
 use bxdf_lab::analysis::Hold;
 use bxdf_study::number::NumberSpec;
@@ -73,7 +74,7 @@ impl Angle {
         let label = ui.label(self.symbol()).on_hover_text(&hint).id;
         if let Some(width) = rail {
             ui.spacing_mut().slider_width = width;
-            let rail = number.rail(ui, value).on_hover_text(&hint);
+            let rail = at_number(number.rail(ui, value), &hint);
             rail.labelled_by(label).accessible_name(self.name());
         }
         let shown = number.field(ui, value).on_hover_text(&hint);

@@ -103,18 +103,25 @@ pub fn line(painter: &Painter, ends: [Pos2; 2], stroke: impl Into<Stroke>, dash:
     }
 }
 
-/// The direction pointed at in another view: a thin line from the centre with a cross at its end.
-pub fn cursor_mark(painter: &Painter, ends: [Pos2; 2], dash: Dash, palette: &Palette) {
-    line(painter, ends, (0.8, palette.faint_ink), dash);
-    cross(painter, ends[1], palette);
+/// The direction pointed at in another view, as strong as it is marked: a thin line from the centre with a cross at its end.
+pub fn cursor_mark(painter: &Painter, ends: [Pos2; 2], dash: Dash, look: (&Palette, f32)) {
+    line(painter, ends, (0.8, cursor_color(look)), dash);
+    cross(painter, ends[1], look);
 }
 
 /// The place of the direction pointed at in another view: a cross, which nobody takes for a handle.
-pub fn cross(painter: &Painter, at: Pos2, palette: &Palette) {
+pub fn cross(painter: &Painter, at: Pos2, look: (&Palette, f32)) {
     const ARM: f32 = 4.5;
+    let color = cursor_color(look);
     for arm in [vec2(ARM, ARM), vec2(ARM, -ARM)] {
-        painter.line_segment([at - arm, at + arm], (1.2, palette.faint_ink));
+        painter.line_segment([at - arm, at + arm], (1.2, color));
     }
+}
+
+/// The colour of what is pointed at, at a strength of 0 to 1.
+#[must_use]
+pub fn cursor_color((palette, strength): (&Palette, f32)) -> Color32 {
+    palette.faint_ink.gamma_multiply(strength)
 }
 
 /// A mark of a chart, as large as `rect`.

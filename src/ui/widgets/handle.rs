@@ -2,18 +2,24 @@
 
 use egui::{
     Color32, Context, CursorIcon, Id, LayerId, Pos2, Rect, Response, Role, Sense, Ui, Vec2,
-    WidgetInfo,
+    WidgetInfo, accesskit,
 };
 
+use super::hint;
+use super::steps::{self, Steps};
 use crate::theme::{HANDLE_RADIUS, HANDLE_REACH, Palette};
 
 /// What is left free about a handle, in points.
 const LABEL_GAP: f32 = 6.0;
 
+/// Between a handle and the ring that says that it has the focus, in points.
+const FOCUS_GAP: f32 = 3.0;
+
 /// A handle on the screen.
 pub struct Handle {
     response: Option<Response>,
     place: Option<Pos2>,
+    steps: Option<Steps>,
 }
 
 /// How a handle is held.
@@ -44,6 +50,20 @@ impl Handle {
     pub fn dragged_to(&self) -> Option<Pos2> {
         self.place
     }
+
+    /// By what the arrow keys move it; `None` where none is pressed, or it has not got the focus.
+    #[must_use]
+    pub fn steps(&self) -> Option<Steps> {
+        self.steps
+    }
+
+    /// Tells screen readers where it stands.
+    pub fn says(&self, value: String) {
+        if let Some(response) = &self.response {
+            let set = |node: &mut accesskit::Node| node.set_value(value);
+            response.ctx.accesskit_node_builder(response.id, set);
+        }
+    }
 }
 
 /// What a handle at `middle` covers: no label stands there.
@@ -52,35 +72,45 @@ pub fn room(middle: Pos2) -> Rect {
     Rect::from_center_size(middle, Vec2::splat(2.0 * HANDLE_RADIUS + LABEL_GAP))
 }
 
-/// A handle at `middle`, with its name for tests and screen readers. It is there only inside of `room`, but goes on while it
-/// is dragged.
+/// A handle at `middle`, with its name for tests and screen readers, and a tooltip that says what it does. It is there only inside
+/// of `room`, but goes on while it is dragged. With the focus it takes the arrow keys.
 #[must_use]
 pub fn show(
     ui: &Ui,
     middle: Pos2,
     (id, name, room): (Id, &'static str, Rect),
-    color: Color32,
-    palette: &Palette,
+    hint: &str,
+    (color, palette): (Color32, &Palette),
 ) -> Handle {
     let is_held = ui.ctx().is_being_dragged(id);
     if !room.contains(middle) && !is_held {
         return Handle {
             response: None,
             place: None,
+            steps: None,
         };
     }
     let response = ui
         .interact(grip(middle, &others(ui, middle)), id, Sense::drag())
         .on_hover_cursor(CursorIcon::Grab);
     response.widget_info(|| WidgetInfo::labeled(Role::GraphicsObject, ui.is_enabled(), name));
+    let describe = |node: &mut accesskit::Node| node.set_description(hint.to_owned());
+    ui.ctx().accesskit_node_builder(id, describe);
+    hint::at_handle(&response, room, hint);
     let is_active = response.hovered() || response.dragged();
     let radius = HANDLE_RADIUS + if is_active { 2.0 } else { 0.0 };
     ui.painter()
         .circle(middle, radius, color, (2.0, palette.background));
+    if response.has_focus() {
+        let ring = ui.visuals().selection.stroke;
+        ui.painter().circle_stroke(middle, radius + FOCUS_GAP, ring);
+    }
     let place = place(ui.ctx(), &response, middle);
+    let steps = steps::take(ui, id);
     Handle {
         response: Some(response),
         place,
+        steps,
     }
 }
 
@@ -158,7 +188,7 @@ mod tests {
         let palette = Palette::of(egui::Theme::Dark);
         for (index, place) in places.iter_mut().enumerate() {
             let named = (Id::unique("handle").with(index), "Handle", ui.clip_rect());
-            let handle = show(ui, *place, named, Color32::WHITE, &palette);
+            let handle = show(ui, *place, named, "", (Color32::WHITE, &palette));
             if let Some(to) = handle.dragged_to() {
                 *place = to;
             }

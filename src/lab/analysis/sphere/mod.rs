@@ -16,7 +16,7 @@ use bxdf::batch::Columns;
 use bxdf::math::frame::direction_from_degrees;
 
 use dome::Dome;
-pub use pair::{Normal, glint, normal_of, pair_at};
+pub use pair::{Normal, glint, normal_of, pair_at, viewer_of};
 use scene::{Frame, Scene};
 
 /// What the sphere is lit by.

@@ -134,7 +134,7 @@ fn show_chart(
         .filter(|[x, _]| (low..=high).contains(x));
     let Some([x, _]) = pointed else {
         if !is_over_wavelength {
-            chart.mark(ui, &shown, fresnel.theta_deg, cx.palette);
+            chart.mark(ui, &shown, fresnel.theta_deg, (cx.palette, 1.0));
         }
         return;
     };

@@ -57,6 +57,16 @@ fn axis_names(rect: Rect) -> [(Pos2, Align2, &'static str); 2] {
     ]
 }
 
+/// What the names of the axes cover.
+pub(super) fn axis_names(rect: Rect) -> [Rect; 2] {
+    let beside = |at: egui::Pos2| Rect::from_center_size(at, egui::Vec2::splat(LABELS));
+    let half = 0.5 * LABELS;
+    [
+        beside(rect.right_center() + egui::vec2(half, 0.0)),
+        beside(rect.center_top() - egui::vec2(0.0, half)),
+    ]
+}
+
 /// The mirror direction, light and viewer, those on the other side as they would be seen through the surface.
 pub(super) fn draw_directions(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect) {
     let (session, palette) = (&*cx.session, cx.palette);
@@ -94,16 +104,17 @@ pub(super) fn delta_label(value: &DeltaValue, options: Options) -> String {
     }
 }
 
-/// The deltas as rings; those to the other side where they would be seen through the surface.
+/// The deltas as rings; those to the other side where they would be seen through the surface. Returns what they and the handles
+/// cover.
 pub(super) fn draw_deltas(
     ui: &Ui,
     cx: &ViewContext<'_, Options>,
     rect: Rect,
     (entry, map): (EntryId, &Arc<Map>),
-) {
+) -> Vec<Rect> {
     let (session, options) = (&*cx.session, *cx.options);
     let Some(found) = session.materials.get(entry) else {
-        return;
+        return Vec::new();
     };
     let painter = ui.painter_at(rect.expand(LABELS));
     let color = cx.palette.material(found.slot());
@@ -145,4 +156,5 @@ pub(super) fn draw_deltas(
         let look = (cx.palette.ink, cx.palette);
         deltas::write(ui, &painter, &mut taken, place, &text, look);
     }
+    taken
 }

@@ -5,9 +5,11 @@ use std::sync::Arc;
 use egui::{Rect, Response, Shape, Ui};
 
 use super::context::ViewContext;
+use super::direction;
 use super::settings;
+use crate::widgets::labels::Labels;
 use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
-use crate::widgets::{choice, deltas, draw, handle};
+use crate::widgets::{choice, deltas, draw};
 use bxdf_lab::analysis::hemisphere::{Comparison, Map, Projection, Quantity, Range, contour};
 use bxdf_lab::analysis::{Channel, HeldLobe, Hold, Subject};
 use bxdf_study::cursor::Cursor;
@@ -57,18 +59,18 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         room = pictures::color_bar(ui, room, scale, &quantity_name(options), cx.palette);
     }
     let cells = pictures::cells(room, maps.len(), 1.0);
-    let mut first = None;
+    let (mut first, mut covered) = (None, Vec::new());
     for (cell, (entry, map)) in cells.into_iter().zip(&maps) {
         let disc = Cell {
             picture: cell.picture.shrink(LABELS),
             ..cell
         };
-        show_map(ui, cx, disc, (*entry, map), scale);
+        covered.extend(show_map(ui, cx, disc, (*entry, map), scale));
         first = first.or(Some(disc.picture));
     }
-    // Above all pictures: its grip may reach into the next one.
+    // Above all pictures: a grip may reach into the next one.
     if let Some(picture) = first {
-        drag_directions(ui, cx, picture);
+        drag_directions(ui, cx, picture, &covered);
     }
     ui.advance_cursor_after_rect(room);
 }
@@ -188,13 +190,14 @@ fn quantity_name(options: Options) -> String {
     }
 }
 
+/// Draws the map of a material. Returns what its labels cover.
 fn show_map(
     ui: &Ui,
     cx: &mut ViewContext<'_, Options>,
     cell: Cell,
     (entry, map): (EntryId, &Arc<Map>),
     scale: Option<ColorScale>,
-) {
+) -> Vec<Rect> {
     let picture = Picture {
         entry,
         sources: vec![Arc::clone(map) as _],
@@ -212,8 +215,9 @@ fn show_map(
     }
     marks::draw_grid(ui, cx.options.projection, cell.picture, cx.palette);
     marks::draw_directions(ui, cx, cell.picture);
-    marks::draw_deltas(ui, cx, cell.picture, (entry, map));
+    let covered = marks::draw_deltas(ui, cx, cell.picture, (entry, map));
     point(ui, cx, cell.picture, (entry, map), &response);
+    covered
 }
 
 /// The colours where there is no value above 0.
@@ -250,28 +254,37 @@ fn draw_contours(
     }
 }
 
-/// The handles of light and viewer, where they are on the side shown.
-fn drag_directions(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
+/// The handles of light and viewer, where they are on the side shown, with their names clear of what is `covered`.
+fn drag_directions(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, covered: &[Rect]) {
     let options = *cx.options;
+    let mut labels = Labels::within(rect.expand(LABELS));
+    for room in covered.iter().copied().chain(marks::axis_names(rect)) {
+        labels.keep_off(room);
+    }
     for one in cx.directions() {
         if (one.direction.z > 0.0) == options.is_lower {
             continue;
         }
         let at = pictures::position_of(rect, mirrored(options.projection.place(one.direction)));
+        direction::name(ui, ui.painter(), cx, &mut labels, (&one, at, rect.center()));
         let name = match one.of {
             Hold::Light => "Light in the hemisphere",
             Hold::Viewer => "Viewer in the hemisphere",
         };
-        let named = (ui.scope_id().with(name), name, ui.clip_rect());
-        let handle = handle::show(ui, at, named, one.color, cx.palette);
-        if let Some(place) = handle.dragged_to() {
+        let named = (name, ui.clip_rect(), direction::KEYS);
+        let handle = direction::show(ui, cx, &one, at, named);
+        let dragged_to = handle.dragged_to().and_then(|place| {
             let [x, y] = pictures::share_of(rect, place).map(|share| 2.0 * share - 1.0);
             let reach = x.hypot(-y).max(1.0);
             let place = [x / reach, -y / reach];
-            if let Some(w) = options.projection.direction(place, !options.is_lower) {
-                cx.put(one.of, w);
-                ui.ctx().request_repaint();
-            }
+            options.projection.direction(place, !options.is_lower)
+        });
+        let turned = handle
+            .steps()
+            .map(|steps| direction::turned(one.direction, steps));
+        if let Some(w) = dragged_to.or(turned) {
+            cx.put(one.of, w);
+            ui.ctx().request_repaint();
         }
     }
 }
@@ -286,12 +299,12 @@ fn point(
 ) {
     let options = *cx.options;
     let Some(pointer) = response.hover_pos() else {
-        if let Some(cursor) = &cx.cursor
+        if let Some((cursor, strength)) = &cx.mark
             && (cursor.direction.z > 0.0) != options.is_lower
         {
             let place = options.projection.place(cursor.direction);
             let at = pictures::position_of(rect, mirrored(place));
-            draw::cross(ui.painter(), at, cx.palette);
+            draw::cross(ui.painter(), at, (cx.palette, *strength));
         }
         return;
     };

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::DVec3;
 
+use super::super::context::Named;
 use super::play::Moment;
 use super::scene::Scene;
 use crate::theme::{Dash, Palette};
@@ -12,7 +13,6 @@ use crate::widgets::pictures::ColorScale;
 use crate::widgets::{deltas, draw};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::integral::{Part, Sum};
-use bxdf_study::session::Session;
 
 /// Patches that are narrower than this have no edges drawn, in points.
 const NARROWEST: f32 = 12.0;
@@ -209,13 +209,13 @@ impl Figure<'_> {
     }
 }
 
-/// The held direction, and the axes of the surface at the rims of the discs.
+/// The light and the viewer, if there are `directions`, and the axes of the surface at the rims of the discs.
 pub(super) fn name_directions(
     ui: &Ui,
     painter: &Painter,
-    (scenes, has_held): (&[Scene], bool),
+    (scenes, directions): (&[Scene], &[Named]),
     taken: &mut Vec<Rect>,
-    (session, palette): (&Session, &Palette),
+    palette: &Palette,
 ) {
     let mut write = |at: Pos2, text: &str, color: Color32| {
         let font = draw::small_font(ui);
@@ -226,7 +226,6 @@ pub(super) fn name_directions(
         let centre = (rect.center(), Align2::CENTER_CENTER);
         draw::haloed_text(painter, centre.0, centre.1, text, font, color, palette);
     };
-    let held = session.held();
     for scene in scenes {
         if scene.radius() > NAMED {
             for (axis, name) in [(DVec3::X, "s"), (DVec3::Y, "t")] {
@@ -237,17 +236,23 @@ pub(super) fn name_directions(
             let side = if scene.is_upper { "above" } else { "below" };
             write(scene.corner(), side, palette.faint_ink);
         }
-        if has_held && (held.z > 0.0) == scene.is_upper {
-            let color = palette.held(session.hold);
-            let ends = [scene.place(DVec3::ZERO), scene.place(HELD * held)];
-            painter.line_segment(ends, (1.6, color));
+        let is_here = |one: &&Named| (one.direction.z > 0.0) == scene.is_upper;
+        for one in directions.iter().filter(is_here) {
+            let color = one.color;
+            // The sum is over the other one: it is a point among those that are summed up.
+            let reach = if one.is_held { HELD } else { 1.0 };
+            let ends = [DVec3::ZERO, reach * one.direction].map(|w| scene.place(w));
+            if one.is_held {
+                painter.line_segment(ends, (1.6, color));
+            }
             painter.circle(ends[1], 4.5, color, (1.5, palette.background));
-            if scene.radius() < NAMED_DIRECTIONS {
+            let least = if one.is_held { NAMED_DIRECTIONS } else { NAMED };
+            if scene.radius() < least {
                 continue;
             }
-            let name = session.held_name();
-            let galley = painter.layout_no_wrap(name.to_owned(), draw::small_font(ui), color);
-            let aside = 8.0 + 0.5 * galley.size().x;
+            let (name, ink) = (one.name, palette.text_in(color));
+            let galley = painter.layout_no_wrap(name.to_owned(), draw::small_font(ui), ink);
+            let aside = deltas::BESIDE_RING + 0.5 * galley.size().x;
             let outwards = vec2(aside * (ends[1] - ends[0]).x.signum(), 0.0);
             let upwards = vec2(0.0, -galley.size().y);
             // Beside the handle or above it, else towards the middle: never over it.
@@ -259,7 +264,7 @@ pub(super) fn name_directions(
                 painter.clip_rect().contains_rect(room)
             };
             if let Some(place) = places.find(has_room) {
-                write(place, name, color);
+                write(place, name, ink);
             }
         }
     }

@@ -229,9 +229,10 @@ impl Shown<'_> {
         }
         let mut taken = Vec::new();
         let has_held = self.request.integrand.is_of_surface();
-        let drawn = (&scenes[..], has_held);
-        let look = (&*cx.session, cx.palette);
-        figure::name_directions(ui, &painter, drawn, &mut taken, look);
+        let directions = cx.directions();
+        let directions = if has_held { &directions[..] } else { &[] };
+        let drawn = (&scenes[..], directions);
+        figure::name_directions(ui, &painter, drawn, &mut taken, cx.palette);
         figure.draw_deltas(ui, &painter, &scenes, &mut taken);
         if let (Some(pointer), Some(direction)) = (pointer, direction) {
             let text = pointed.and_then(|index| self.product(index));

@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use egui::{Painter, Pos2, Rect, Ui, Vec2, vec2};
 
 use super::super::context::{Named, ViewContext};
+use super::super::direction;
 use crate::scene3d::Projection as _;
 use crate::theme::{HANDLE_RADIUS, Palette};
 use crate::widgets::handle;
@@ -63,11 +64,16 @@ fn drag_one(
             "Viewer in the 3D lobe"
         }
     };
-    let named = (ui.scope_id().with(name), name, rect);
-    let handle = handle::show(ui, tip, named, one.color, cx.palette);
-    if let Some(place) = handle.dragged_to() {
+    let handle = direction::show(ui, cx, one, tip, (name, rect, direction::KEYS));
+    let dragged_to = handle.dragged_to().map(|place| {
         let w = camera.ray(place, rect).drag_on_sphere(1.0);
-        cx.put(one.of, w.as_dvec3());
+        w.as_dvec3()
+    });
+    let turned = handle
+        .steps()
+        .map(|steps| direction::turned(one.direction, steps));
+    if let Some(w) = dragged_to.or(turned) {
+        cx.put(one.of, w);
         ui.ctx().request_repaint();
     }
     handle.is_dragged()

@@ -182,12 +182,13 @@ fn glided(ui: &Ui, cx: &mut ViewContext<'_, Options>) -> OrbitCamera {
 
 /// The direction pointed at in another view: a line to the dome.
 fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect, camera: &OrbitCamera) {
-    let Some(cursor) = &cx.cursor else {
+    let Some((cursor, strength)) = &cx.mark else {
         return;
     };
     let project = |place: Vec3| camera.project(place, rect);
     if let (Some(foot), Some(tip)) = (project(Vec3::ZERO), project(cursor.direction.as_vec3())) {
-        draw::cursor_mark(&ui.painter_at(rect), [foot, tip], Dash::Solid, cx.palette);
+        let look = (cx.palette, *strength);
+        draw::cursor_mark(&ui.painter_at(rect), [foot, tip], Dash::Solid, look);
     }
 }
 

@@ -4,8 +4,9 @@ use egui::Ui;
 use egui_plot::{PlotPoint, PlotTransform};
 
 use super::super::context::{Named, ViewContext};
+use super::super::direction;
 use super::radial::at;
-use crate::widgets::handle;
+use crate::widgets::steps::Steps;
 use bxdf_lab::analysis::{Hold, polar};
 use bxdf_study::session::wrapped_deg;
 use bxdf_study::views::polar::Options;
@@ -36,11 +37,13 @@ fn drag(
         Hold::Light => "Light in the polar plot",
         Hold::Viewer => "Viewer in the polar plot",
     };
-    let named = (ui.scope_id().with(name), name, *transform.frame());
-    let handle = handle::show(ui, tip, named, one.color, cx.palette);
-    if let Some(place) = handle.dragged_to() {
+    let handle = direction::show(ui, cx, one, tip, (name, *transform.frame(), KEYS));
+    let dragged_to = handle.dragged_to().map(|place| {
         let place = transform.value_from_position(place);
-        let dragged_to = place.x.atan2(place.y);
+        place.x.atan2(place.y)
+    });
+    let wanted = dragged_to.or_else(|| handle.steps().map(|steps| moved(angle, steps)));
+    if let Some(dragged_to) = wanted {
         if !one.is_held || section.holds_held {
             cx.put(one.of, polar::direction(dragged_to, azimuth));
         } else {
@@ -54,4 +57,14 @@ fn drag(
         ui.ctx().request_repaint();
     }
     handle.is_dragged()
+}
+
+/// What the arrow keys do here.
+const KEYS: &str = "Drag it, or press Tab until it has the focus: Left and Right move it along the circle by 1°, Up and Down \
+    towards n and away from it; with Shift by 0.1°";
+
+/// An angle from n, positive to the right, in radians, moved by the arrow keys.
+fn moved(angle: f64, steps: Steps) -> f64 {
+    let side = if angle < 0.0 { -1.0 } else { 1.0 };
+    angle + (steps.right - side * steps.up).to_radians()
 }

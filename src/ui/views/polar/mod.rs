@@ -228,7 +228,7 @@ fn is_near(bounds: &PlotBounds, window: &PlotBounds) -> bool {
 
 /// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
 fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, transform: &PlotTransform) {
-    let Some(cursor) = &cx.cursor else {
+    let Some((cursor, strength)) = &cx.mark else {
         return;
     };
     let azimuth = cx.options.own_section_deg.of(cx.session).phi();
@@ -240,7 +240,8 @@ fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, transform: &PlotTransform
     } else {
         Dash::Dashed
     };
-    draw::cursor_mark(&ui.painter_at(*transform.frame()), ends, dash, cx.palette);
+    let look = (cx.palette, *strength);
+    draw::cursor_mark(&ui.painter_at(*transform.frame()), ends, dash, look);
 }
 
 /// What the plot shows, the selected material last, so that it lies over the others.

@@ -3,14 +3,16 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use egui::{Align2, Pos2, Rect, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 use glam::DVec3;
 
 use super::super::context::ViewContext;
+use super::super::direction;
 use super::studies::color_of;
 use crate::scene3d::Projection as _;
 use crate::theme::Palette;
 use crate::widgets::draw;
+use crate::widgets::labels::Labels;
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
 use bxdf::math::frame;
 use bxdf_lab::analysis::hemisphere::Projection;
@@ -18,7 +20,7 @@ use bxdf_lab::analysis::raster::Raster;
 use bxdf_lab::analysis::sampling::{Cell as Bin, Histogram, Warp};
 use bxdf_study::format;
 use bxdf_study::session::OrbitCamera;
-use bxdf_study::session::{EntryId, MaterialEntry, Session};
+use bxdf_study::session::{EntryId, MaterialEntry};
 use bxdf_study::views::sampling::{Options, Plot, WARP};
 
 /// How directions are projected onto the discs.
@@ -36,6 +38,9 @@ const HISTOGRAM_SIZE: usize = 192;
 
 /// The ends of the colours of a histogram, in standard deviations of the expected number.
 const DEVIATIONS: f64 = 4.0;
+
+/// Narrower discs have no room for the names of light and viewer, in points.
+const ROOM_FOR_NAMES: f32 = 150.0;
 
 /// Narrower discs have room for the chance only, in points.
 const ROOM_FOR_TEST: f32 = 180.0;
@@ -67,7 +72,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, draw_disc: Dr
         pictures::title(ui, cell, entry, cx.session, cx.palette);
         let disc = Disc::of(disc.picture, cx);
         draw_disc(ui, cx, &disc, entry);
-        disc.frame(ui, cx.session, cx.palette);
+        disc.frame(ui, cx);
     }
     ui.advance_cursor_after_rect(room);
 }
@@ -100,9 +105,9 @@ impl Disc {
         on_dome.unwrap_or_else(on_disc)
     }
 
-    /// The rim, the axes and the held direction; of the dome two meridians too.
-    fn frame(&self, ui: &Ui, session: &Session, palette: &Palette) {
-        let painter = ui.painter();
+    /// The rim, the axes, the light and the viewer; of the dome two meridians too.
+    fn frame(&self, ui: &Ui, cx: &ViewContext<'_, Options>) {
+        let (painter, palette) = (ui.painter(), cx.palette);
         let circle = |u: DVec3, v: DVec3, turn: f64| {
             let angle = |step: u32| turn * f64::from(step) / 64.0;
             let point = |step| self.position(u * angle(step).cos() + v * angle(step).sin());
@@ -127,8 +132,23 @@ impl Disc {
                 palette.ink,
             );
         }
-        let (held, color) = (self.position(session.held()), palette.held(session.hold));
-        painter.circle(held, 4.0, color, (1.5, palette.background));
+        let mut labels = Labels::within(self.rect.expand(LABELS));
+        for one in cx.directions() {
+            let at = self.position(one.direction);
+            if one.direction.z > 0.0 {
+                painter.circle(at, 4.0, one.color, (1.5, palette.background));
+            } else {
+                painter.circle_stroke(at, 4.0, (1.0, one.color));
+            }
+            labels.keep_off(Rect::from_center_size(at, Vec2::splat(12.0)));
+        }
+        if self.rect.width() < ROOM_FOR_NAMES {
+            return;
+        }
+        for one in cx.directions() {
+            let (at, centre) = (self.position(one.direction), self.rect.center());
+            direction::name(ui, painter, cx, &mut labels, (&one, at, centre));
+        }
     }
 }
 

@@ -13,15 +13,13 @@ use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
 use crate::widgets::{choice, draw};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::half_difference::Spherical;
-use bxdf_lab::analysis::sphere::{self, Light, Picture, normal_of, pair_at};
+use bxdf_lab::analysis::sphere::{self, Light, Picture, pair_at};
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
 use bxdf_study::views::sphere::{Arrangement, Curve, EXPOSURE, Options};
 
-mod light;
+mod handles;
 mod place;
-
-use place::position;
 
 /// Room around a sphere for the handle of a light that stands behind it, as a share of the picture.
 const MARGIN: f32 = 0.08;
@@ -223,6 +221,7 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool
         .filter(|id| !is_difference || *id != reference)
         .collect();
     let (mut is_clipped, mut first) = (false, None);
+    let mut covered = Vec::new();
     let cells = pictures::cells(room, ids.len(), 1.0);
     for (cell, entry) in cells.into_iter().zip(&ids) {
         let rect = cell.picture.shrink(MARGIN * cell.picture.width());
@@ -231,21 +230,15 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool
             texture.paint(ui.painter(), rect);
             is_clipped |= texture.is_clipped;
         }
-        interact(
-            ui,
-            cx,
-            Cell {
-                picture: rect,
-                ..cell
-            },
-            *entry,
-            &name,
-        );
+        interact_strip(ui, cx, (rect, rect), (*entry, &name), &mut covered);
+        if cx.options.light.has_direction() {
+            handles::mark(ui, cx, rect);
+        }
         first = first.or(Some(rect));
     }
-    // Above all spheres: its grip may reach into the next one.
+    // Above all spheres: a grip may reach into the next one.
     if let Some(rect) = first {
-        light::drag(ui, cx, rect);
+        handles::drag(ui, cx, rect, &covered);
     }
     is_clipped
 }
@@ -263,7 +256,7 @@ fn show_wipe(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool
     };
     let rect = cell.picture.shrink(MARGIN * cell.picture.width());
     let width = rect.width() / ids.len().max(1) as f32;
-    let mut is_clipped = false;
+    let (mut is_clipped, mut covered) = (false, Vec::new());
     for (index, entry) in ids.iter().enumerate() {
         let left = rect.left() + width * index as f32;
         let strip = Rect::from_x_y_ranges(left..=left + width, room.y_range());
@@ -284,23 +277,24 @@ fn show_wipe(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool
             picture: Rect::from_x_y_ranges(strip.x_range(), rect.y_range()),
         };
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
-        interact_strip(ui, cx, (cell.picture, rect), *entry, &name);
+        let strip = (cell.picture, rect);
+        interact_strip(ui, cx, strip, (*entry, &name), &mut covered);
     }
-    light::drag(ui, cx, rect);
+    if cx.options.light.has_direction() {
+        handles::mark(ui, cx, rect);
+    }
+    handles::drag(ui, cx, rect, &covered);
     is_clipped
 }
 
-fn interact(ui: &Ui, cx: &mut ViewContext<'_, Options>, cell: Cell, entry: EntryId, name: &str) {
-    interact_strip(ui, cx, (cell.picture, cell.picture), entry, name);
-}
-
-/// The pointer over the part `strip` of the sphere in `rect`: reads out, and a click holds the directions of that point.
+/// The pointer over the part `strip` of the sphere in `rect`: reads out, and a click holds the directions of that point. Adds
+/// what its labels cover to `covered`.
 fn interact_strip(
     ui: &Ui,
     cx: &mut ViewContext<'_, Options>,
     (strip, rect): (Rect, Rect),
-    entry: EntryId,
-    name: &str,
+    (entry, name): (EntryId, &str),
+    covered: &mut Vec<Rect>,
 ) {
     let response = ui.interact(
         strip,
@@ -316,9 +310,8 @@ fn interact_strip(
         return;
     }
     let light = request.to_light();
-    light::mark_glint(ui, cx, (strip, rect), light, entry);
+    handles::mark_glint(ui, cx, (strip, rect), light, entry, covered);
     let Some(pointer) = response.hover_pos() else {
-        mark_pair(ui, cx, rect, light);
         return;
     };
     let [x, y] =
@@ -356,18 +349,6 @@ fn read_out(
     );
     if let Some(pointer) = response.hover_pos() {
         draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
-    }
-}
-
-/// The point that shows the pair of the other views: a ring, thin where the sphere has only one with its half vector.
-fn mark_pair(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect, light: DVec3) {
-    let (wo, wi) = cx.pair();
-    if let Some(normal) = normal_of(light, wo, wi) {
-        let at = position(rect, normal.place);
-        let width = if normal.is_exact { 2.0 } else { 0.8 };
-        let painter = ui.painter_at(rect);
-        painter.circle_stroke(at, 5.5, (width + 1.5, cx.palette.background));
-        painter.circle_stroke(at, 5.5, (width, cx.palette.ink));
     }
 }
 

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use egui::{Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
-use glam::DVec3;
 
 use super::super::context::{Lines, ViewContext};
 use super::pair::go_to;
@@ -68,10 +67,8 @@ fn show_map(
     });
     let [x, y] = [&request.x, &request.y].map(plate::Axis::from);
     plate::draw_axes(ui, rect, [&x, &y], precision == 0, cx.palette);
-    let free = cx
-        .cursor
-        .map_or_else(|| mirror_of(cx.session.held()), |cursor| cursor.direction);
-    let place = place(cx.session, cx.session.held(), free);
+    let (wo, wi) = cx.pair();
+    let place = place(cx.session, wo, wi);
     let share = [request.x.share(&place), 1.0 - request.y.share(&place)];
     let at = pictures::position_of(rect, share);
     ui.painter().circle_stroke(at, 5.0, (1.5, cx.palette.ink));
@@ -93,10 +90,6 @@ fn show_map(
         go_to(cx, wo, wi);
     }
     Some((pointer, read_out(request, [x, 1.0 - y], cell)))
-}
-
-fn mirror_of(w: DVec3) -> DVec3 {
-    DVec3::new(-w.x, -w.y, w.z)
 }
 
 /// Lines of equal condition number.

@@ -171,6 +171,9 @@ pub(super) fn errors(report: &Report, tolerance: f64) -> Axis {
     axis(name, errors.chain([tolerance]), 0.1 * ZERO)
 }
 
+/// By what factor an arrow key changes the tolerance: less would be lost where it is rounded to two digits.
+const STEP: f64 = 1.125;
+
 /// The handle at the end of the line of the tolerance.
 fn drag_tolerance(
     ui: &Ui,
@@ -188,9 +191,16 @@ fn drag_tolerance(
         Question::Integrate => "Line of the tolerance of integrals",
     };
     let named = (id, name, frame);
-    let handle = handle::show(ui, at, named, cx.palette.ink, cx.palette);
-    if let Some(place) = handle.dragged_to() {
+    let hint = "The largest error that is allowed. Drag it, or press Tab until it has the focus: Up and Down change it by an \
+                eighth";
+    let handle = handle::show(ui, at, named, hint, (cx.palette.ink, cx.palette));
+    let dragged_to = handle.dragged_to().map(|place| {
         let [_, error] = chart.value_at(shown, place);
+        error
+    });
+    let stepped = |up: f64| tolerance * STEP.powf(up.signum());
+    let steps = handle.steps().filter(|steps| steps.up != 0.0);
+    if let Some(error) = dragged_to.or(steps.map(|steps| stepped(steps.up))) {
         // As it is shown.
         TOLERANCE.put(&mut cx.options.tolerance, format::two_digits(error));
     }

@@ -327,23 +327,26 @@ impl Chart {
             .map(|(which, _)| which)
     }
 
-    /// A line at `x`, which is pointed at in another view, with a dot on each curve there.
-    pub fn mark(&self, ui: &Ui, shown: &Shown, x: f64, palette: &Palette) {
+    /// A line at `x`, which is pointed at in another view, with a dot on each curve there, as strong as it is marked.
+    pub fn mark(&self, ui: &Ui, shown: &Shown, x: f64, look: (&Palette, f32)) {
+        let (palette, strength) = look;
         let frame = shown.frame();
         let painter = ui.painter_at(frame);
         let across = shown.position([self.x.place(x), 0.0]).x;
-        painter.vline(across, frame.y_range(), (1.0, palette.faint_ink));
+        painter.vline(across, frame.y_range(), (1.0, draw::cursor_color(look)));
         for series in &self.series {
             if let Some(y) = series.value_at(x) {
                 let place = shown.position([self.x.place(x), self.y.place(y)]);
-                painter.circle(place, 3.5, series.color, (1.0, palette.background));
+                let [color, edge] =
+                    [series.color, palette.background].map(|color| color.gamma_multiply(strength));
+                painter.circle(place, 3.5, color, (1.0, edge));
             }
         }
     }
 
     /// A line at `x` with a dot on each curve there, and a note beside the pointer: `heading`, then each curve's value.
     pub fn read_out(&self, ui: &Ui, shown: &Shown, x: f64, heading: &str, palette: &Palette) {
-        self.mark(ui, shown, x, palette);
+        self.mark(ui, shown, x, (palette, 1.0));
         let mut text = heading.to_owned();
         for series in &self.series {
             if let Some(y) = series.value_at(x) {

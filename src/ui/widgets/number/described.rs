@@ -3,6 +3,7 @@
 use egui::{Align2, Area, Frame, Order, Response, RichText, Ui, accesskit, vec2};
 
 use super::parse;
+use crate::widgets::hint;
 use bxdf_study::format;
 use bxdf_study::number::{NumberSpec, plain};
 
@@ -157,8 +158,8 @@ pub struct Shown {
 impl Shown {
     /// With this tooltip.
     #[must_use]
-    pub fn on_hover_text(self, hint: &str) -> Self {
-        let response = self.response.on_hover_text(hint);
+    pub fn on_hover_text(self, text: &str) -> Self {
+        let response = hint::at_number(self.response, text);
         // The tooltip is the description too: the reason goes before it.
         if let Some(words) = self.refusal.clone() {
             let describe = |node: &mut accesskit::Node| node.set_description(words);

@@ -10,8 +10,8 @@ use egui::{
 
 use super::described::{LOGARITHMIC_SPEED, Number, Shown};
 use super::late;
-use super::work::{self, Work};
 use crate::theme;
+use crate::widgets::work::{self, Work};
 use bxdf_study::number::plain;
 
 /// With Shift a drag is slower by this factor.

@@ -9,7 +9,6 @@ mod described;
 mod field;
 mod late;
 mod parse;
-pub mod work;
 
 pub use described::{Check, Number, Shown};
 

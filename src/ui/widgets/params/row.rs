@@ -7,6 +7,7 @@ use super::ties::Ties;
 use super::words::{CHANNELS, accessible, hint, label, labels, reason, sentence};
 use crate::theme;
 use crate::widgets::data::{self, Change};
+use crate::widgets::hint::at_number;
 use crate::widgets::number::{Number, Shown};
 use bxdf::Component;
 use bxdf::param::{Kind, ParamSpec, Role, Scale, Value};
@@ -189,7 +190,7 @@ fn rail_and_field(
     let room = ui.available_width() - theme::NUMBER_WIDTH - ui.spacing().item_spacing.x;
     ui.spacing_mut().slider_width = room.max(theme::SHORTEST_SLIDER);
     let hint = hint(spec);
-    let rail = number.rail(ui, value).on_hover_text(&hint);
+    let rail = at_number(number.rail(ui, value), &hint);
     (rail, number.field(ui, value).on_hover_text(&hint))
 }
 
