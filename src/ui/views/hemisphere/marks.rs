@@ -58,13 +58,9 @@ fn axis_names(rect: Rect) -> [(Pos2, Align2, &'static str); 2] {
 }
 
 /// What the names of the axes cover.
-pub(super) fn axis_names(rect: Rect) -> [Rect; 2] {
-    let beside = |at: egui::Pos2| Rect::from_center_size(at, egui::Vec2::splat(LABELS));
-    let half = 0.5 * LABELS;
-    [
-        beside(rect.right_center() + egui::vec2(half, 0.0)),
-        beside(rect.center_top() - egui::vec2(0.0, half)),
-    ]
+pub(super) fn room_of_axes(rect: Rect) -> [Rect; 2] {
+    let size = egui::Vec2::splat(LABELS);
+    axis_names(rect).map(|(place, anchor, _)| anchor.anchor_size(place, size))
 }
 
 /// The mirror direction, light and viewer, those on the other side as they would be seen through the surface.
@@ -118,11 +114,7 @@ pub(super) fn draw_deltas(
     };
     let painter = ui.painter_at(rect.expand(LABELS));
     let color = cx.palette.material(found.slot());
-    let size = egui::Vec2::splat(draw::small_font(ui).size);
-    let names = axis_names(rect).into_iter();
-    let mut taken: Vec<Rect> = names
-        .map(|(place, anchor, _)| anchor.anchor_size(place, size))
-        .collect();
+    let mut taken = room_of_axes(rect).to_vec();
     for w in [session.held(), session.other()] {
         if (w.z > 0.0) != options.is_lower {
             taken.push(handle::room(position(rect, w, options.projection)));

@@ -258,7 +258,7 @@ fn draw_contours(
 fn drag_directions(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, covered: &[Rect]) {
     let options = *cx.options;
     let mut labels = Labels::within(rect.expand(LABELS));
-    for room in covered.iter().copied().chain(marks::axis_names(rect)) {
+    for room in covered.iter().copied().chain(marks::room_of_axes(rect)) {
         labels.keep_off(room);
     }
     for one in cx.directions() {
