@@ -21,15 +21,25 @@ impl<K, V> Default for Memo<K, V> {
 impl<K: PartialEq, V> Memo<K, V> {
     /// The value of `compute` for `key`, computed only where the key differs from the last one.
     pub fn get(&mut self, key: K, compute: impl FnOnce() -> V) -> Arc<V> {
-        if let Some((last, value)) = &self.last
-            && *last == key
-        {
-            return Arc::clone(value);
+        if let Some(value) = self.last().filter(|_| self.has(&key)) {
+            return value;
         }
         let value = Arc::new(compute());
         self.version += 1;
         self.last = Some((key, Arc::clone(&value)));
         value
+    }
+
+    /// Whether the last value is that for `key`.
+    pub fn has(&self, key: &K) -> bool {
+        self.last.as_ref().is_some_and(|(last, _)| last == key)
+    }
+
+    /// The last value, whatever it was for.
+    #[must_use]
+    pub fn last(&self) -> Option<Arc<V>> {
+        let (_, value) = self.last.as_ref()?;
+        Some(Arc::clone(value))
     }
 
     /// A number that grows by 1 with each computation.

@@ -122,7 +122,7 @@ impl App {
             session,
             answers: Answers::new(clock, pool.clone(), move || ctx.request_repaint()),
             pool,
-            state: ViewState::default(),
+            state: ViewState::by(clock),
             cursor: None,
             pointed: None,
             left: None,

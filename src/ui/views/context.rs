@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use crate::theme::{Dash, Palette};
 use crate::widgets::chart::{self, Axis, Mark};
-use crate::widgets::pictures::{ColorScale, Textures};
+use crate::widgets::pictures::{ColorScale, Textures, Turned, Turns};
 use crate::widgets::{choice, deltas as widgets_deltas, draw};
 use bxdf_lab::analysis::hemisphere::Map;
 use bxdf_lab::analysis::{Hold, deltas, polar as section};
@@ -17,7 +17,8 @@ use bxdf_lab::timing::Stopwatch;
 use bxdf_study::answers::Answers;
 use bxdf_study::cursor::Cursor;
 use bxdf_study::export::Format;
-use bxdf_study::memo::{Memo, Same};
+use bxdf_study::jobs::Clock;
+use bxdf_study::memo::Same;
 use bxdf_study::session::{EntryId, Materials, Section, Session, ViewId};
 
 /// What a view draws with; `O`: its options, by the type that its kind has for them.
@@ -63,7 +64,7 @@ pub struct ViewState {
 }
 
 /// The lines of a map in a scale.
-type Contours = Memo<(Same<Map>, ColorScale), Lines>;
+type Contours = Turned<(Same<Map>, ColorScale), Lines>;
 
 /// Lines of equal value, as places of a picture.
 pub(super) type Lines = Vec<Vec<[f64; 2]>>;
@@ -249,6 +250,13 @@ impl ViewState {
         }
     }
 
+    /// Nothing kept yet; `clock` measures what a frame takes, so that pictures share it out.
+    pub(crate) fn by(clock: Option<Clock>) -> Self {
+        let mut state = Self::default();
+        state.textures.turns = Turns::by(clock);
+        state
+    }
+
     /// What `view` keeps for itself, of this type; at first its default.
     pub(super) fn own<T: Default + 'static>(&mut self, view: ViewId) -> &mut T {
         let kept = self.own.entry((view, TypeId::of::<T>()));
@@ -268,17 +276,19 @@ impl ViewState {
         self.wished_file.take()
     }
 
-    /// The contours of a map in a scale, computed anew only where one of them is another one.
+    /// The contours of a map in a scale, computed anew only where one of them is another one; those before where they have to
+    /// wait for their turn.
     pub(super) fn contours(
         &mut self,
+        ctx: &egui::Context,
         of: (ViewId, EntryId),
         map: &Arc<Map>,
         scale: ColorScale,
         compute: impl FnOnce(&Map) -> Lines,
     ) -> Arc<Lines> {
         let key = (Same(Arc::clone(map)), scale);
-        let memo = self.contours.entry(of).or_default();
-        memo.get(key, || compute(map))
+        let kept = self.contours.entry(of).or_default();
+        kept.get((&mut self.textures.turns, ctx), key, || compute(map))
     }
 
     /// The picture behind a texture, if it is one of the views'.

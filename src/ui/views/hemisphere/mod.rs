@@ -234,11 +234,13 @@ fn draw_contours(
     scale: ColorScale,
 ) {
     let [low, high] = scale.range;
-    let lines = cx.state.contours((cx.view, entry), map, scale, |map| {
-        let values = map.channel(Channel::Luminance);
-        let levels = contour::levels(low, high, scale.kind == ScaleKind::Logarithmic);
-        contour::lines(&values, &levels)
-    });
+    let lines = cx
+        .state
+        .contours(ui.ctx(), (cx.view, entry), map, scale, |map| {
+            let values = map.channel(Channel::Luminance);
+            let levels = contour::levels(low, high, scale.kind == ScaleKind::Logarithmic);
+            contour::lines(&values, &levels)
+        });
     let painter = ui.painter_at(rect);
     let is_on_white =
         scale.kind == ScaleKind::Diverging || scale.kind == ScaleKind::DivergingLogarithmic;

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Color32, Mesh, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::DVec3;
 
 use super::super::context::Named;
@@ -36,6 +36,9 @@ const NAMED_DIRECTIONS: f32 = 36.0;
 /// How far outside the sphere the held direction ends, in radii.
 const HELD: f64 = 1.1;
 
+/// A patch that is turned away counts as if it were seen under this cosine, where one is chosen.
+const FACING: f64 = 0.2;
+
 /// A sum, and how it is drawn.
 pub(super) struct Figure<'a> {
     pub(super) sum: &'a Sum,
@@ -48,9 +51,49 @@ pub(super) struct Figure<'a> {
     pub(super) palette: &'a Palette,
 }
 
+/// What lies over one another, from below: areas without lines between them are one mesh.
+#[derive(Default)]
+struct Layers {
+    shapes: Vec<Shape>,
+    mesh: Mesh,
+}
+
+impl Layers {
+    fn add(&mut self, shape: Shape) {
+        self.end_mesh();
+        self.shapes.push(shape);
+    }
+
+    fn end_mesh(&mut self) {
+        if !self.mesh.is_empty() {
+            self.shapes
+                .push(Shape::mesh(std::mem::take(&mut self.mesh)));
+        }
+    }
+
+    fn all(mut self) -> Vec<Shape> {
+        self.end_mesh();
+        self.shapes
+    }
+}
+
 /// The luminance of a value.
 pub(super) fn luminance(part: &Part) -> f64 {
     Channel::Luminance.of(part.value)
+}
+
+/// The patch that is linked where none is pointed at: the one that fell last, in the end the one that adds most.
+pub(super) fn linked(sum: &Sum, moment: Moment, eye: DVec3) -> Option<usize> {
+    if moment.is_playing() {
+        let total = sum.parts.len() + sum.deltas.len();
+        return moment.counted(total).checked_sub(1);
+    }
+    // Of those that add about as much, one that is well seen.
+    let rank = |part: &Part| luminance(part) * part.patch.middle().dot(eye).max(FACING);
+    let ranks = sum.parts.iter().map(rank).enumerate();
+    let lit = ranks.filter(|(_, rank)| *rank > 0.0);
+    let most = lit.max_by(|(_, a), (_, b)| a.total_cmp(b));
+    most.map(|(index, _)| index)
 }
 
 impl Figure<'_> {
@@ -68,17 +111,19 @@ impl Figure<'_> {
         self.moment.fallen(index, self.total())
     }
 
-    /// Draws one half with its disc.
-    pub(super) fn draw(&self, painter: &Painter, scene: &Scene) {
-        self.draw_disc(painter, scene);
-        self.draw_dome(painter, scene);
+    /// One half with its disc, at this moment.
+    pub(super) fn shapes(&self, scene: &Scene) -> Vec<Shape> {
+        let mut layers = Layers::default();
+        self.draw_disc(&mut layers, scene);
+        self.draw_dome(&mut layers, scene);
         for (index, part) in self.parts(scene.is_upper) {
             let share = self.fallen(index);
             if luminance(part) > 0.0 && share > 0.0 && share < 1.0 {
-                painter.add(scene.area(&part.patch, share, self.scale.color(luminance(part))));
+                let color = self.scale.color(luminance(part));
+                scene.add_area(&mut layers.mesh, &part.patch, share, color);
             }
         }
-        self.draw_link(painter, scene);
+        layers.all()
     }
 
     /// Whether there is room for the edges of patches.
@@ -89,7 +134,7 @@ impl Figure<'_> {
 
     /// Draws the edges of a patch that has fallen this far, as they are seen on its colour. About n, where many meet, those
     /// along meridians are faint.
-    fn draw_edges(&self, painter: &Painter, scene: &Scene, part: &Part, fallen: f64) {
+    fn draw_edges(&self, layers: &mut Layers, scene: &Scene, part: &Part, fallen: f64) {
         let share = self.scale.share(luminance(part));
         let is_clear = share < OPAQUE && fallen < 1.0 || luminance(part) == 0.0;
         let color = if is_clear {
@@ -104,35 +149,35 @@ impl Figure<'_> {
         let strokes = [color, color.gamma_multiply(strength)];
         let edges = scene.edges(&part.patch, fallen).into_iter();
         for (edge, color) in edges.zip(strokes.into_iter().cycle()) {
-            painter.add(Shape::line(edge, Stroke::new(0.8, color)));
+            layers.add(Shape::line(edge, Stroke::new(0.8, color)));
         }
     }
 
-    fn draw_disc(&self, painter: &Painter, scene: &Scene) {
+    fn draw_disc(&self, layers: &mut Layers, scene: &Scene) {
         let ground = self.palette.ground_color();
-        painter.add(Shape::convex_polygon(scene.rim(true), ground, Stroke::NONE));
+        layers.add(Shape::convex_polygon(scene.rim(true), ground, Stroke::NONE));
         // Where nothing falls, there is no shadow.
         let has_shadow = |index, part| luminance(part) > 0.0 && self.fallen(index) >= 1.0;
         for (index, part) in self.parts(scene.is_upper) {
             if has_shadow(index, part) {
                 let color = self.scale.color(luminance(part));
-                painter.add(scene.area(&part.patch, 1.0, color));
+                scene.add_area(&mut layers.mesh, &part.patch, 1.0, color);
             }
         }
         if self.has_edges(scene) {
             for (index, part) in self.parts(scene.is_upper) {
                 if has_shadow(index, part) {
-                    self.draw_edges(painter, scene, part, 1.0);
+                    self.draw_edges(layers, scene, part, 1.0);
                 }
             }
         }
         let rim = Stroke::new(1.2, self.palette.axis);
-        painter.add(Shape::closed_line(scene.rim(true), rim));
+        layers.add(Shape::closed_line(scene.rim(true), rim));
     }
 
-    fn draw_dome(&self, painter: &Painter, scene: &Scene) {
+    fn draw_dome(&self, layers: &mut Layers, scene: &Scene) {
         let rim = Stroke::new(1.2, self.palette.axis);
-        painter.add(Shape::closed_line(scene.rim(false), rim));
+        layers.add(Shape::closed_line(scene.rim(false), rim));
         let mut parts: Vec<(f64, &Part)> = self
             .parts(scene.is_upper)
             .map(|(_, part)| (part.patch.middle().dot(scene.eye), part))
@@ -144,16 +189,16 @@ impl Figure<'_> {
             let share = self.scale.share(value) / OPAQUE;
             let strength = share.clamp(FAINTEST, 1.0) as f32;
             let color = self.scale.color(value).gamma_multiply(strength);
-            painter.add(scene.area(&part.patch, 0.0, color));
+            scene.add_area(&mut layers.mesh, &part.patch, 0.0, color);
             if has_edges {
-                self.draw_edges(painter, scene, part, 0.0);
+                self.draw_edges(layers, scene, part, 0.0);
             }
         }
-        painter.add(Shape::line(scene.outline(), rim));
+        layers.add(Shape::line(scene.outline(), rim));
     }
 
     /// The patch that is linked with its shadow, by lines straight down.
-    fn draw_link(&self, painter: &Painter, scene: &Scene) {
+    pub(super) fn draw_link(&self, painter: &Painter, scene: &Scene) {
         let found = self.linked.and_then(|index| self.sum.parts.get(index));
         let Some(part) = found.filter(|part| part.patch.is_upper == scene.is_upper) else {
             return;

@@ -12,7 +12,7 @@ use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
 use crate::widgets::{choice, draw};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::hemisphere::Range;
-use bxdf_lab::analysis::integral::{Exact, Integrand, Part, Request, Sum};
+use bxdf_lab::analysis::integral::{Exact, Integrand, Request, Sum};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, MaterialEntry};
@@ -20,11 +20,13 @@ use bxdf_study::views::DECADES;
 use bxdf_study::views::integral::{Options, PATCHES_LOG2, SECONDS};
 
 use figure::{Figure, luminance};
+use kept::Place;
 use panel::Standing;
 use play::Moment;
 use scene::Scene;
 
 mod figure;
+mod kept;
 mod panel;
 mod play;
 mod scene;
@@ -43,9 +45,6 @@ const TEXT_SHARE: f32 = 0.45;
 
 /// Below narrower pictures the numbers stand in short lines, by their width in points.
 const NARROW: f32 = 270.0;
-
-/// A patch that is turned away counts as if it were seen under this cosine, where one is chosen.
-const FACING: f64 = 0.2;
 
 /// A sum with what it comes near to.
 struct Known {
@@ -214,7 +213,7 @@ impl Shown<'_> {
             below + sum.grid.index_of(w)
         });
         let eye = scenes.first().map_or(DVec3::Z, |scene| scene.eye);
-        let linked = pointed.or_else(|| self.linked(eye));
+        let linked = pointed.or_else(|| figure::linked(sum, self.moment, eye));
         let figure = Figure {
             sum,
             scale: self.scale,
@@ -224,8 +223,27 @@ impl Shown<'_> {
             palette: cx.palette,
         };
         let painter = ui.painter_at(rect);
+        let all = || {
+            scenes
+                .iter()
+                .flat_map(|scene| figure.shapes(scene))
+                .collect()
+        };
+        let shapes = if self.moment.is_playing() {
+            Arc::new(all())
+        } else {
+            let place = Place {
+                rect,
+                request: self.request,
+                theme: ui.theme(),
+                color: self.color(cx),
+            };
+            let sum = (self.known.entry, &self.known.sum);
+            kept::shapes(ui, cx, sum, (place, self.scale), all)
+        };
+        painter.extend(shapes.iter().cloned());
         for scene in &scenes {
-            figure.draw(&painter, scene);
+            figure.draw_link(&painter, scene);
         }
         let mut taken = Vec::new();
         let has_held = self.request.integrand.is_of_surface();
@@ -249,21 +267,6 @@ impl Shown<'_> {
             *cx.pointed = Some(cursor);
         }
         linked
-    }
-
-    /// The patch that is linked where none is pointed at: the one that fell last, in the end the one that adds most.
-    fn linked(&self, eye: DVec3) -> Option<usize> {
-        let sum = &*self.known.sum;
-        if self.moment.is_playing() {
-            let total = sum.parts.len() + sum.deltas.len();
-            return self.moment.counted(total).checked_sub(1);
-        }
-        // Of those that add about as much, one that is well seen.
-        let rank = |part: &Part| luminance(part) * part.patch.middle().dot(eye).max(FACING);
-        let ranks = sum.parts.iter().map(rank).enumerate();
-        let lit = ranks.filter(|(_, rank)| *rank > 0.0);
-        let most = lit.max_by(|(_, a), (_, b)| a.total_cmp(b));
-        most.map(|(index, _)| index)
     }
 
     /// What a patch adds, as a product.

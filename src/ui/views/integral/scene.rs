@@ -1,7 +1,7 @@
 //! Where the dome, its disc and their patches lie in a picture: seen from one side, a little from above, without perspective.
 
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
-use egui::{Color32, Pos2, Rect, Shape, pos2, vec2};
+use egui::{Color32, Pos2, Rect, pos2, vec2};
 use glam::DVec3;
 
 use bxdf_lab::analysis::integral::Patch;
@@ -16,8 +16,11 @@ const GAP: f64 = 0.2;
 /// Room around both for names, in radii.
 const MARGIN: f64 = 0.16;
 
-/// Edges of patches are bent: no piece of one is longer than this, in radians.
-const STEP: f64 = 0.09;
+/// Edges of patches are bent: a piece of one leaves the arc by no more than this, in points.
+const SAGITTA: f64 = 0.2;
+
+/// However small the picture, no piece of an edge is longer than this, in radians.
+const LONGEST_STEP: f64 = 0.3;
 
 /// A half of the sphere above the disc on which it throws its shadow.
 pub(super) struct Scene {
@@ -144,7 +147,7 @@ impl Scene {
 
     /// The edges of a patch that has fallen this far: that on the horizon's side, the one of least azimuth, the other two.
     pub(super) fn edges(&self, patch: &Patch, share: f64) -> [Vec<Pos2>; 4] {
-        let [columns, rows] = steps(patch);
+        let [columns, rows] = self.steps(patch);
         let line = |steps: u32, place: &dyn Fn(f64) -> [f64; 2]| {
             let at = |step: u32| patch.direction(place(f64::from(step) / f64::from(steps)));
             let points = (0..=steps).map(|step| self.fallen(at(step), share));
@@ -158,10 +161,10 @@ impl Scene {
         ]
     }
 
-    /// The area of a patch that has fallen this far. Its sides along meridians are bent as well, on the sphere.
-    pub(super) fn area(&self, patch: &Patch, share: f64, color: Color32) -> Shape {
-        let [steps, rows] = steps(patch);
-        let mut mesh = Mesh::default();
+    /// Adds the area of a patch that has fallen this far to `mesh`. Its sides along meridians are bent as well, on the sphere.
+    pub(super) fn add_area(&self, mesh: &mut Mesh, patch: &Patch, share: f64, color: Color32) {
+        let [steps, rows] = self.steps(patch);
+        let first = mesh.vertices.len() as u32;
         for row in 0..=rows {
             for step in 0..=steps {
                 let part = [row, step].map(f64::from);
@@ -175,26 +178,26 @@ impl Scene {
         }
         for row in 0..rows {
             for step in 0..steps {
-                let corner = row * (steps + 1) + step;
+                let corner = first + row * (steps + 1) + step;
                 let beyond = corner + steps + 1;
                 mesh.add_triangle(corner, corner + 1, beyond);
                 mesh.add_triangle(corner + 1, beyond + 1, beyond);
             }
         }
-        Shape::mesh(mesh)
     }
-}
 
-/// Into how many pieces a patch is cut along its parallels and along its meridians: both are bent.
-fn steps(patch: &Patch) -> [u32; 2] {
-    let pieces = |length: f64| (length / STEP).ceil().max(1.0) as u32;
-    let [from, to] = patch.phi;
-    let [low, high] = patch.height;
-    let radius = |height: f64| (1.0 - height * height).max(0.0).sqrt();
-    [
-        pieces(to - from),
-        pieces(radius(low) - radius(high) + high - low),
-    ]
+    /// Into how many pieces a patch is cut along its parallels and along its meridians: both are bent.
+    fn steps(&self, patch: &Patch) -> [u32; 2] {
+        let step = (8.0 * SAGITTA / f64::from(self.radius.max(1.0))).sqrt();
+        let pieces = |length: f64| (length / step.min(LONGEST_STEP)).ceil().max(1.0) as u32;
+        let [from, to] = patch.phi;
+        let [low, high] = patch.height;
+        let radius = |height: f64| (1.0 - height * height).max(0.0).sqrt();
+        [
+            pieces(to - from),
+            pieces(radius(low) - radius(high) + high - low),
+        ]
+    }
 }
 
 #[cfg(test)]

@@ -49,7 +49,7 @@ impl Chart {
             let is_free = |rect: &Rect| {
                 let is_apart = |other: &Rect| !other.intersects(rect.expand(2.0));
                 let is_crossed = |x: &f32| (rect.left() - 2.0..=rect.right() + 2.0).contains(x);
-                let covers = |path: &Vec<Pos2>| path.iter().any(|at| rect.contains(*at));
+                let covers = |path: &Vec<Pos2>| near(path, rect, 0.0).any(|at| rect.contains(*at));
                 frame.contains_rect(*rect)
                     && taken.iter().all(is_apart)
                     && !lines.iter().any(is_crossed)
@@ -61,11 +61,11 @@ impl Chart {
                     .iter()
                     .enumerate()
                     .filter(|(other, _)| *other != index);
-                let distances = others.flat_map(|(_, path)| path.iter());
+                let distances = others.flat_map(|(_, path)| near(path, rect, CLEAR));
                 let nearest = distances.map(|at| rect.distance_to_pos(*at));
                 nearest.fold(CLEAR, f32::min)
             };
-            let mut places = own.iter().step_by((STEPS[0] / STEPS[1]) as usize);
+            let places = own.iter().step_by((STEPS[0] / STEPS[1]) as usize);
             let beside = |at: &Pos2| {
                 let (x, y) = (0.5 * size.x, 0.5 * size.y + GAP);
                 // Above and below, and aside where the curve is steep.
@@ -77,9 +77,19 @@ impl Chart {
                 ];
                 offsets.map(|offset| Rect::from_center_size(*at + offset, size))
             };
-            let all = places.by_ref().flat_map(beside).filter(is_free);
-            let best = all.max_by(|a, b| room(a).total_cmp(&room(b)));
-            if let Some(rect) = best {
+            let all: Vec<Rect> = places.flat_map(beside).collect();
+            let mut best: Option<(Rect, f32)> = None;
+            for rect in all.into_iter().rev().filter(is_free) {
+                let room = room(&rect);
+                if best.is_none_or(|(_, most)| room > most) {
+                    best = Some((rect, room));
+                }
+                // No place is clearer than clear.
+                if room >= CLEAR {
+                    break;
+                }
+            }
+            if let Some((rect, _)) = best {
                 taken.push(rect);
                 let painter = ui.painter_at(shown.frame());
                 painter.rect_filled(rect, 2.0, palette.background.gamma_multiply(0.8));
@@ -105,4 +115,12 @@ impl Chart {
         path.sort_by(|a, b| a.x.total_cmp(&b.x));
         path
     }
+}
+
+/// The points of a path, from left to right, that are no farther than `reach` beside `rect`.
+fn near<'a>(path: &'a [Pos2], rect: &Rect, reach: f32) -> impl Iterator<Item = &'a Pos2> + use<'a> {
+    let first = path.partition_point(|at| at.x < rect.left() - reach);
+    let right = rect.right() + reach;
+    let (_, from) = path.split_at(first);
+    from.iter().take_while(move |at| at.x <= right)
 }

@@ -11,9 +11,11 @@ use bxdf_study::format;
 use bxdf_study::session::{EntryId, Session};
 pub use scale::{ColorScale, ScaleKind};
 pub use textures::{Source, Texture, Textures};
+pub use turns::{Turned, Turns};
 
 mod scale;
 mod textures;
+mod turns;
 
 /// Between two pictures, in points.
 const GAP: f32 = 8.0;

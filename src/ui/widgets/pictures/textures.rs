@@ -9,7 +9,7 @@ use egui::{
     pos2,
 };
 
-use super::ColorScale;
+use super::{ColorScale, Turns};
 
 /// Something that a picture is made of; it stays the same as long as it is the same value.
 pub type Source = Arc<dyn Any + Send + Sync>;
@@ -18,6 +18,8 @@ pub type Source = Arc<dyn Any + Send + Sync>;
 #[derive(Default)]
 pub struct Textures {
     kept: HashMap<Id, Kept>,
+    /// Who paints in this frame.
+    pub turns: Turns,
 }
 
 /// A picture ready to be painted.
@@ -42,11 +44,14 @@ struct Kept {
     look: Option<ColorScale>,
     texture: Texture,
     is_used: bool,
+    /// Whether it shows what was, because it had no turn yet.
+    waits: bool,
 }
 
 impl Textures {
     /// Forgets what the last frame did not show.
     pub fn begin_frame(&mut self) {
+        self.turns.begin_frame();
         self.kept
             .retain(|_, kept| std::mem::take(&mut kept.is_used));
     }
@@ -59,7 +64,8 @@ impl Textures {
         found.map(|texture| Arc::clone(&texture.image))
     }
 
-    /// The texture of these sources in this look, painted anew only where one of them is another one.
+    /// The texture of these sources in this look, painted anew only where one of them is another one; the one before where it
+    /// has to wait for its turn.
     pub fn get(
         &mut self,
         ui: &Ui,
@@ -77,7 +83,16 @@ impl Textures {
             kept.is_used = true;
             return kept.texture.clone();
         }
-        let painted = paint();
+        let painted = match self.kept.get_mut(&id) {
+            Some(kept) => match self.turns.take(ui.ctx(), &mut kept.waits, paint) {
+                Some(painted) => painted,
+                None => {
+                    kept.is_used = true;
+                    return kept.texture.clone();
+                }
+            },
+            None => self.turns.at_once(paint),
+        };
         // Before the first answer there is no pixel; a graphics processor wants one.
         let is_empty = painted.pixels.is_empty();
         let image = Arc::new(if is_empty {
@@ -98,6 +113,7 @@ impl Textures {
             look,
             texture: texture.clone(),
             is_used: true,
+            waits: false,
         };
         self.kept.insert(id, kept);
         texture
