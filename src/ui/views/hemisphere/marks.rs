@@ -6,7 +6,7 @@ use egui::{Align2, Rect, Ui};
 use glam::DVec3;
 
 use super::super::context::ViewContext;
-use super::place::{LABELS, mirrored, position};
+use super::place::{label_room, mirrored, position};
 use crate::theme::Palette;
 use crate::widgets::{deltas, draw, handle, pictures};
 use bxdf::math::frame;
@@ -60,10 +60,10 @@ pub(super) fn draw_grid(ui: &Ui, projection: Projection, rect: Rect, palette: &P
     );
 }
 
-/// What the names of the axes cover.
-pub(super) fn axis_names(rect: Rect) -> [Rect; 2] {
-    let beside = |at: egui::Pos2| Rect::from_center_size(at, egui::Vec2::splat(LABELS));
-    let half = 0.5 * LABELS;
+/// What the names of the axes cover in this room around the disc.
+pub(super) fn axis_names(rect: Rect, room: f32) -> [Rect; 2] {
+    let beside = |at: egui::Pos2| Rect::from_center_size(at, egui::Vec2::splat(room));
+    let half = 0.5 * room;
     [
         beside(rect.right_center() + egui::vec2(half, 0.0)),
         beside(rect.center_top() - egui::vec2(0.0, half)),
@@ -119,7 +119,7 @@ pub(super) fn draw_deltas(
     let Some(found) = session.materials.get(entry) else {
         return Vec::new();
     };
-    let painter = ui.painter_at(rect.expand(LABELS));
+    let painter = ui.painter_at(rect.expand(label_room(ui)));
     let color = cx.palette.material(found.slot());
     let mut taken = Vec::new();
     for w in [session.held(), session.other()] {

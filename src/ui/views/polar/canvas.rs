@@ -184,6 +184,11 @@ impl Canvas<'_> {
         self.ui.painter_at(*self.transform.frame())
     }
 
+    /// The radius of labels: as far outside of the circle as they are large.
+    fn outside(&self, radius: f64) -> f64 {
+        1.0 + (radius - 1.0) * f64::from(draw::label_scale(self.ui))
+    }
+
     fn position(&self, radius: f64, angle: f64) -> Pos2 {
         let [x, y] = at(radius, angle);
         self.transform.position_from_point(&PlotPoint::new(x, y))
@@ -244,7 +249,7 @@ impl Canvas<'_> {
         {
             let angle = f64::from(angle_deg).to_radians();
             text(
-                self.position(ANGLE_LABEL_RADIUS, angle),
+                self.position(self.outside(ANGLE_LABEL_RADIUS), angle),
                 Align2::CENTER_CENTER,
                 format!("{}°", angle_deg.abs()),
             );
@@ -292,7 +297,7 @@ impl Canvas<'_> {
                 continue;
             }
             taken.push(angle);
-            let position = self.position(NAME_RADIUS, angle);
+            let position = self.position(self.outside(NAME_RADIUS), angle);
             // Outwards from the circle, so that the text stays clear of the angle labels.
             let anchor = match angle.sin() {
                 x if x > 0.3 => Align2::LEFT_CENTER,
