@@ -3,6 +3,9 @@
 use std::collections::VecDeque;
 
 use super::session::Session;
+pub use edit::{Area, Edit};
+
+mod edit;
 
 /// What tells a control of the window from the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,14 +14,24 @@ pub struct Control(pub u64);
 /// How many steps can be undone. A session takes some ten kilobytes.
 const STEPS: usize = 500;
 
-/// The states before and after the present one. Looking around is no edit: the camera and the selection change nothing
-/// that could be lost, so that they make no step.
+/// The states before and after the present one. What is selected is no edit. A move of the camera is a step, but none that takes
+/// away what can be done again: then it is kept as it is.
 pub struct History {
-    past: VecDeque<Session>,
+    past: VecDeque<Step>,
     present: Session,
-    future: Vec<Session>,
+    future: Vec<Step>,
     /// The control whose drag made the last step.
     control: Option<Control>,
+}
+
+/// A step to or from the present.
+struct Step {
+    /// The state that it leads to.
+    state: Session,
+    /// What it changes.
+    edit: Edit,
+    /// Whether the camera is part of it; else it stays where it is.
+    moves_camera: bool,
 }
 
 impl History {
@@ -39,13 +52,17 @@ impl History {
         if *session == self.present {
             return;
         }
-        if is_edited(&self.present, session) {
+        let has_edits = is_edited(&self.present, session);
+        let is_look = !has_edits && session.camera != self.present.camera;
+        if has_edits || is_look && self.future.is_empty() {
             let is_continued = control.is_some() && control == self.control;
             if !is_continued {
                 if self.past.len() == STEPS {
                     self.past.pop_front();
                 }
-                self.past.push_back(self.present.clone());
+                self.past.push_back(Step::between(&self.present, session));
+            } else if let Some(step) = self.past.pop_back() {
+                self.past.push_back(Step::between(&step.state, session));
             }
             self.future.clear();
             self.control = control;
@@ -55,7 +72,8 @@ impl History {
 
     /// Changes every state alike: for what is no edit, as data that has come meanwhile.
     pub fn change_all(&mut self, mut change: impl FnMut(&mut Session)) {
-        let states = self.past.iter_mut().chain(&mut self.future);
+        let steps = self.past.iter_mut().chain(&mut self.future);
+        let states = steps.map(|step| &mut step.state);
         states.chain([&mut self.present]).for_each(&mut change);
     }
 
@@ -65,41 +83,63 @@ impl History {
         &self.present
     }
 
-    /// Whether there is a step to undo.
+    /// What would be undone, if there is anything.
     #[must_use]
-    pub fn can_undo(&self) -> bool {
-        !self.past.is_empty()
+    pub fn undone(&self) -> Option<&Edit> {
+        self.past.back().map(|step| &step.edit)
     }
 
-    /// Whether there is a step to do again.
+    /// What would be done again, if there is anything.
     #[must_use]
-    pub fn can_redo(&self) -> bool {
-        !self.future.is_empty()
+    pub fn redone(&self) -> Option<&Edit> {
+        self.future.last().map(|step| &step.edit)
     }
 
     /// Takes the session back by a step.
     pub fn undo(&mut self, session: &mut Session) {
-        if let Some(before) = self.past.pop_back() {
-            self.future
-                .push(std::mem::replace(&mut self.present, before));
-            self.show(session);
+        if let Some(step) = self.past.pop_back() {
+            let back = self.go(step, session);
+            self.future.push(back);
         }
     }
 
     /// Takes the session forward again by a step that was undone.
     pub fn redo(&mut self, session: &mut Session) {
-        if let Some(after) = self.future.pop() {
-            self.past
-                .push_back(std::mem::replace(&mut self.present, after));
-            self.show(session);
+        if let Some(step) = self.future.pop() {
+            let back = self.go(step, session);
+            self.past.push_back(back);
         }
     }
 
-    /// The present state, seen as it is looked at now.
-    fn show(&mut self, session: &mut Session) {
+    /// Goes a step. Returns the one that leads back.
+    fn go(&mut self, step: Step, session: &mut Session) -> Step {
+        let Step {
+            mut state,
+            edit,
+            moves_camera,
+        } = step;
+        if !moves_camera {
+            state.camera = session.camera.clone();
+        }
         self.control = None;
-        self.present.camera = session.camera.clone();
+        let left = std::mem::replace(&mut self.present, state);
         session.clone_from(&self.present);
+        Step {
+            state: left,
+            edit,
+            moves_camera,
+        }
+    }
+}
+
+impl Step {
+    /// The step back to `before`, from `after`.
+    fn between(before: &Session, after: &Session) -> Self {
+        Self {
+            state: before.clone(),
+            edit: Edit::between(before, after),
+            moves_camera: before.camera != after.camera,
+        }
     }
 }
 
@@ -133,14 +173,17 @@ mod tests {
             history.undo(&mut session);
             assert_eq!(session.theta_deg, expected);
         }
-        assert!(!history.can_undo());
+        assert!(history.undone().is_none());
         for expected in [10.0, 20.0] {
             history.redo(&mut session);
             assert_eq!(session.theta_deg, expected);
         }
         session.theta_deg = 45.0;
         history.record(&session, None);
-        assert!(!history.can_redo(), "a new edit leaves nothing to redo");
+        assert!(
+            history.redone().is_none(),
+            "a new edit leaves nothing to redo"
+        );
     }
 
     #[test]
@@ -160,7 +203,7 @@ mod tests {
         let thetas: Vec<f64> = (0..700).map(|step| 0.1 * f64::from(step)).collect();
         let (mut session, mut history) = edited(&thetas, None);
         let mut steps = 0;
-        while history.can_undo() {
+        while history.undone().is_some() {
             history.undo(&mut session);
             steps += 1;
         }
@@ -168,9 +211,8 @@ mod tests {
     }
 
     #[test]
-    fn looking_around_is_no_step() {
+    fn what_is_selected_is_no_step() {
         let (mut session, mut history) = edited(&[10.0], None);
-        session.camera.zoom(2.0);
         let added = session.materials.add("phong".parse().unwrap()).unwrap();
         history.record(&session, None);
         let first = session.materials.iter().next().unwrap().id();
@@ -181,8 +223,32 @@ mod tests {
         assert!(undone.get(added).is_none() && session.theta_deg == 10.0);
         history.redo(&mut session);
         assert_eq!(session.materials.selected().id(), first);
-        let mut zoomed = Session::default().camera;
-        zoomed.zoom(2.0);
-        assert_eq!(session.camera, zoomed, "it stays where it is");
+    }
+
+    #[test]
+    fn a_move_of_the_camera_is_a_step_of_its_own_kind() {
+        let (mut session, mut history) = edited(&[10.0], None);
+        let home = session.camera.clone();
+        for _ in 0..3 {
+            session.camera.zoom(1.1);
+            history.record(&session, Some(Control(1)));
+        }
+        let zoomed = session.camera.clone();
+        assert_eq!(history.undone().unwrap().area, Area::Camera);
+        session.theta_deg = 30.0;
+        history.record(&session, None);
+        // An edit leaves the camera where it is, a move of the camera what is edited.
+        history.undo(&mut session);
+        assert_eq!((session.theta_deg, &session.camera), (10.0, &zoomed));
+        history.undo(&mut session);
+        assert_eq!((session.theta_deg, &session.camera), (10.0, &home));
+        history.redo(&mut session);
+        assert_eq!((session.theta_deg, &session.camera), (10.0, &zoomed));
+        // To look around takes nothing away of what can be done again.
+        session.camera.orbit([50.0, 0.0]);
+        history.record(&session, None);
+        let turned = session.camera.clone();
+        history.redo(&mut session);
+        assert_eq!((session.theta_deg, &session.camera), (30.0, &turned));
     }
 }

@@ -15,6 +15,7 @@ pub mod jobs;
 pub mod memo;
 pub mod number;
 pub mod parallel;
+pub mod parameters;
 pub mod platform;
 pub mod readers;
 pub mod session;

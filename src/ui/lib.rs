@@ -4,6 +4,8 @@
 pub mod decisions {}
 
 pub mod app;
+#[cfg(not(target_arch = "wasm32"))]
+mod clipboard;
 pub mod commands;
 #[cfg(not(target_arch = "wasm32"))]
 mod dialogs;
@@ -11,6 +13,7 @@ pub mod export;
 pub mod headless;
 pub mod pacing;
 pub mod scene3d;
+mod screens;
 mod shell;
 mod side;
 pub mod theme;

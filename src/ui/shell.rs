@@ -4,18 +4,17 @@ use std::path::PathBuf;
 
 use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, Ui};
 
+use super::app::App;
 use super::app::left::Left;
-use super::app::{App, keys};
 use super::commands::{self, COMMANDS, Command, Group, OPEN, help, search};
 use super::theme::{self, Palette};
 use super::tiles::Wish;
 use super::views::{self, ViewContext};
-use super::widgets::bottom::Bar;
+use super::widgets::bottom::{Bar, presented};
 use super::widgets::search::Outcome;
 use super::widgets::shares::Energy;
 use super::widgets::{layouts, options};
 use bxdf_study::cursor::Cursor;
-use bxdf_study::history::Control;
 use bxdf_study::session::{SHARES, ViewId};
 
 impl App {
@@ -41,7 +40,9 @@ impl App {
             pointed: &mut self.pointed,
             palette,
         };
+        let factor = 0.01 * f32::from(self.labels.percent());
         ui.push_id((options.kind().id, view), |ui| {
+            theme::enlarge_labels(ui.style_mut(), factor);
             views::show(ui, &mut cx, &mut options);
         });
         self.answers.asked_by(None);
@@ -61,6 +62,7 @@ impl App {
         ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
             ui.label(RichText::new("BRDF Explorer").heading());
             wished = self.file_menu(ui);
+            wished = self.edit_menu(ui).or(wished);
             ui.separator();
             let room = self.room_of_views();
             layouts::arrangements(ui, &mut self.session.views, room, has_words);
@@ -70,7 +72,7 @@ impl App {
             let opened = layouts::menu(ui, &mut self.session.views, room);
             self.notice.report(opened);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                options::theme_menu(ui);
+                options::display_menu(ui, &mut self.labels);
                 let signs = [
                     (&commands::PRESENT, "🖵"),
                     (&commands::HELP, "?"),
@@ -95,6 +97,20 @@ impl App {
         if let Some(command) = wished {
             command.try_run(self, ctx);
         }
+    }
+
+    /// The menu of edits. Returns the command chosen.
+    fn edit_menu(&self, ui: &mut Ui) -> Option<&'static Command> {
+        let mut wished = None;
+        ui.menu_button("Edit", |ui| {
+            let of_edits = |command: &&&Command| command.group == Group::Edit;
+            for command in COMMANDS.iter().filter(of_edits) {
+                if command.menu_item(ui, self) {
+                    wished = Some(*command);
+                }
+            }
+        });
+        wished
     }
 
     /// The menu of files. Returns the command chosen.
@@ -179,6 +195,11 @@ impl App {
             .exact_size(theme::BAR_HEIGHT)
             .frame(egui::Frame::side_top_panel(ui.style()).inner_margin(margin))
             .show(ui, |ui| {
+                if self.is_presenting() {
+                    let edited = presented::show(ui, &mut self.session);
+                    self.take_edited(edited);
+                    return;
+                }
                 let selected = self.session.materials.selected();
                 let shares = self.answers.ask(&self.session, selected, SHARES);
                 // Panels are drawn before the views: the line shows the pointer of the frame before.
@@ -271,10 +292,7 @@ impl eframe::App for App {
         self.show_windows(ui.ctx(), views.response.rect);
         self.session.keep_allowed(self.history.present());
         self.refuse_what_does_not_fit();
-        self.history.record(
-            &self.session,
-            keys::control_at_work(ui.ctx()).map(|id| Control(id.value())),
-        );
+        self.record(ui.ctx());
         self.keep(ui.ctx());
         self.point(ui.ctx(), before);
         // Panels are drawn before the views: what was said since is shown by the next frame.

@@ -86,11 +86,15 @@ impl App {
                 ui.scope(|ui| {
                     ui.set_max_width(width);
                     let Session {
-                        materials, locked, ..
+                        materials,
+                        locked,
+                        pinned,
+                        ..
                     } = &mut self.session;
                     let mut ties = Ties {
                         has_linked_widths: &mut edited.has_linked_widths,
                         locked,
+                        pinned,
                         is_shared: &|spec| materials.is_shared(spec),
                     };
                     self.components
@@ -99,13 +103,7 @@ impl App {
             });
             ui.add_space(4.0);
         });
-        if edited != before {
-            let Session {
-                materials, locked, ..
-            } = &mut self.session;
-            *materials.selected_mut() = edited;
-            materials.follow(&before, locked);
-        }
+        self.take_edited(edited);
         self.run(is_changing.then_some(&commands::CHANGE), ui.ctx());
         if let Some(witness) = wished {
             let selected = self.session.materials.selected().id();

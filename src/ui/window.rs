@@ -4,7 +4,8 @@ use std::env;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::app::App;
-use super::{export, headless, theme};
+use super::{export, headless, screens, theme};
+use crate::clipboard;
 use crate::dialogs::Native;
 use bxdf::error::{Error, Result};
 use bxdf_study::platform;
@@ -17,13 +18,14 @@ use bxdf_study::store::Store;
 /// [`Error::Platform`] where there is no display or no graphics adapter, naming the remedy.
 pub fn run() -> Result<()> {
     require_display()?;
+    let store = Store::platform();
     let viewport = egui::ViewportBuilder::default()
         .with_title("BRDF Explorer")
         .with_app_id("brdf-explorer")
         .with_inner_size(theme::WINDOW_SIZE)
         .with_min_inner_size(theme::MIN_WINDOW_SIZE);
     let options = eframe::NativeOptions {
-        viewport,
+        viewport: screens::placed(viewport, store.window()),
         ..Default::default()
     };
     let mut exit_problem: Arc<Mutex<Option<Error>>> = Arc::default();
@@ -32,8 +34,10 @@ pub fn run() -> Result<()> {
         "brdf-explorer",
         options,
         Box::new(|cc| {
+            screens::keep_on_screen(cc);
             let mut app = App::new(cc, Session::default(), None, Some(platform::seconds));
-            let store = Store::platform().in_threads(app.pool());
+            let store = store.in_threads(app.pool());
+            app.use_clipboard(clipboard::native());
             app.work_on(
                 &cc.egui_ctx,
                 store,

@@ -181,3 +181,51 @@ fn keys_that_move_one_control_in_a_row_are_one_step() {
     assert_eq!(edits(&harness), start);
     assert!(is_disabled(&harness, "Undo"));
 }
+
+#[test]
+fn the_menu_says_what_is_undone_and_keeps_the_arrangement_apart() {
+    let mut harness = window("rough_conductor");
+    let undo = |harness: &mut Harness<'_, App>| {
+        click(harness, "Edit");
+        let shown = harness.output().shapes.iter();
+        let text = |clipped: &egui::epaint::ClippedShape| match &clipped.shape {
+            egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+            _ => None,
+        };
+        let found = shown.filter_map(text).find(|text| text.starts_with("Undo"));
+        press(harness, Modifiers::NONE, Key::Escape);
+        harness.run();
+        found.unwrap()
+    };
+    assert_eq!(undo(&mut harness), "Undo");
+    drag(&mut harness, "Roughness along s (alpha)");
+    assert_eq!(undo(&mut harness), "Undo: roughness of Rough conductor");
+    let close = harness.query_all_by_label("Close").last().unwrap();
+    close.click();
+    harness.run();
+    assert_eq!(undo(&mut harness), "Undo layout: close Polar plot");
+    let lobe = harness
+        .get_by_role_and_label(Role::Canvas, "3D lobe")
+        .rect();
+    // Two drags are two moves, and what is scrolled without a pause is one.
+    let home = harness.state().session.camera.clone();
+    for _ in 0..2 {
+        harness.hover_at(lobe.left_bottom() + vec2(60.0, -60.0));
+        harness.run();
+        harness.drag_at(lobe.left_bottom() + vec2(60.0, -60.0));
+        for step in 1..=4 {
+            harness.hover_at(lobe.left_bottom() + vec2(60.0 + 5.0 * step as f32, -60.0));
+            harness.step();
+        }
+        harness.drop_at(lobe.left_bottom() + vec2(80.0, -60.0));
+        harness.run();
+    }
+    let turned = harness.state().session.camera.clone();
+    assert_eq!(undo(&mut harness), "Undo camera: orbit");
+    press(&mut harness, Modifiers::COMMAND, Key::Z);
+    assert_ne!(harness.state().session.camera, turned);
+    assert_ne!(harness.state().session.camera, home);
+    press(&mut harness, Modifiers::COMMAND, Key::Z);
+    assert_eq!(harness.state().session.camera, home);
+    assert_eq!(undo(&mut harness), "Undo layout: close Polar plot");
+}

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+use brdf_explorer::bxdf::error::Error;
 use brdf_explorer::bxdf::material::Component;
 use brdf_explorer::bxdf::resource::Decoded;
 use brdf_explorer::bxdf::table::{Shape, Table};
@@ -98,6 +99,33 @@ fn where_no_dialog_opens_a_path_is_typed() {
     harness.run();
     assert!(folder.file("polar.csv").exists());
     assert!(harness.query_by_label_contains("polar.csv").is_some());
+}
+
+#[test]
+fn it_is_said_where_the_clipboard_takes_no_picture() {
+    let folder = Folder::new("no-clipboard");
+    let mut harness = window("gold");
+    work_in(&mut harness, &folder);
+    harness.state_mut().use_clipboard(Box::new(|_, _| {
+        Err(Error::Platform {
+            problem: "the clipboard does not take the picture: none is there".to_owned(),
+            remedy: "export it as a file".to_owned(),
+        })
+    }));
+    harness.get_by_label("Export Polar plot").click();
+    harness.run();
+    harness.get_by_label("Copy picture").click();
+    harness.step();
+    let begin = Instant::now();
+    while harness.state().is_exporting() {
+        assert!(begin.elapsed() < PATIENCE);
+        std::thread::sleep(Duration::from_millis(5));
+        harness.step();
+    }
+    harness.run();
+    let said = |words: &str| harness.query_by_label_contains(words).is_some();
+    assert!(said("does not take the picture") && said("export it as a file"));
+    assert!(!said("is in the clipboard"));
 }
 
 #[test]

@@ -7,6 +7,7 @@ use brdf_explorer::bxdf::models::MODELS;
 use brdf_explorer::bxdf::param::{Kind, ParamSpec, Value};
 use brdf_explorer::bxdf::{Component, Material, ModelSpec};
 use brdf_explorer::study::answers::Progress;
+use brdf_explorer::study::parameters::labels;
 use brdf_explorer::study::session::{Session, folded_deg, wrapped_deg};
 use brdf_explorer::study::store::Side;
 use brdf_explorer::study::views::{VIEWS, cartesian, integral, sampling, slice, sphere, tradeoff};
@@ -15,7 +16,7 @@ use brdf_explorer::ui::theme::{self, Palette};
 use brdf_explorer::ui::widgets::bottom::Bar;
 use brdf_explorer::ui::widgets::components::Components;
 use brdf_explorer::ui::widgets::options;
-use brdf_explorer::ui::widgets::params::{Ties, labels};
+use brdf_explorer::ui::widgets::params::Ties;
 use brdf_explorer::ui::widgets::shares::Energy;
 use egui::{Key, Theme, Ui, vec2};
 use egui_kittest::Harness;
@@ -97,13 +98,17 @@ fn panel(material: Material) -> Harness<'static, Session> {
     let mut components = Components::default();
     let show = move |ui: &mut Ui, session: &mut Session| {
         let Session {
-            materials, locked, ..
+            materials,
+            locked,
+            pinned,
+            ..
         } = session;
         let before = materials.selected().clone();
         let mut edited = before.clone();
         let mut ties = Ties {
             has_linked_widths: &mut edited.has_linked_widths,
             locked,
+            pinned,
             is_shared: &|_| false,
         };
         let mut side = Side {

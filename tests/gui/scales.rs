@@ -1,4 +1,4 @@
-//! The scales of the views, lobes side by side, presenting, and the first steps, by accessible labels.
+//! The scales of the views, lobes side by side, the size of labels, presenting, and the first steps, by accessible labels.
 
 use brdf_explorer::study::session::{READY_LAYOUTS, Session};
 use brdf_explorer::study::views::{self, Arrangement, ScaleChoice, lobe3d, polar};
@@ -9,6 +9,9 @@ use egui_kittest::kittest::Queryable;
 
 use super::files::work_in;
 use super::{Folder, choose, window, window_of};
+
+/// A parameter of metals.
+const ROUGHNESS: &str = "Roughness along s (alpha)";
 
 /// The texts on the screen that begin so.
 fn painted(harness: &Harness<'_, App>, start: &str) -> Vec<String> {
@@ -229,13 +232,80 @@ fn presenting_shows_the_views_alone_and_escape_returns() {
     harness.run();
     assert!(harness.query_by_label("Your materials").is_none());
     assert!(harness.query_by_label("Four kinds").is_none());
-    assert!(harness.query_by_label("θ from n").is_some(), "the slim bar");
+    let slider = |harness: &Harness<'_, App>, name| {
+        let found = harness.query_by_role_and_label(Role::Slider, name);
+        found.is_some()
+    };
+    assert!(slider(&harness, "θ from n"), "the slim bar");
+    assert!(!slider(&harness, ROUGHNESS), "nothing is pinned");
     assert!(harness.ctx.zoom_factor() > 1.3 * zoom);
     harness.key_press(Key::Escape);
     harness.run();
     assert_eq!(harness.ctx.zoom_factor(), zoom);
     assert!(harness.query_by_label("Your materials").is_some());
     assert_eq!(*session(&harness), before);
+}
+
+#[test]
+fn what_is_pinned_has_a_slider_while_presenting_and_stays_pinned() {
+    let mut harness = window("gold");
+    click(&mut harness, &format!("Pin {ROUGHNESS}"));
+    // By a command, too: what was changed last.
+    harness
+        .get_by_role_and_label(Role::Slider, "Roughness along t (alpha)")
+        .focus();
+    harness.run();
+    harness.key_press(Key::ArrowRight);
+    harness.run();
+    assert_eq!(session(&harness).pinned.len(), 1);
+    harness.key_press_modifiers(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::P);
+    harness.run();
+    assert_eq!(session(&harness).pinned.len(), 2);
+    harness.key_press(Key::F5);
+    harness.run();
+    let before = session(&harness).material().clone();
+    harness
+        .get_by_role_and_label(Role::Slider, ROUGHNESS)
+        .focus();
+    harness.run();
+    harness.key_press(Key::ArrowRight);
+    harness.run();
+    let component = &session(&harness).material().components()[0];
+    let [s, t] = ["alpha_x", "alpha_y"].map(|name| component.params().get(name));
+    assert_ne!(*session(&harness).material(), before);
+    assert_eq!(s, t, "what is linked follows");
+    let text = session(&harness).to_toml().unwrap();
+    let again = Session::from_toml(&text, "s").unwrap();
+    assert_eq!(again.pinned, session(&harness).pinned);
+}
+
+#[test]
+fn labels_grow_by_themselves_and_stay_so() {
+    let folder = Folder::new("labels");
+    let size = |harness: &Harness<'_, App>, text: &str| {
+        let shapes = harness.output().shapes.iter();
+        let mut found = shapes.filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(shape) if shape.galley.text() == text => Some(shape.galley.size().y),
+            _ => None,
+        });
+        found.next().unwrap()
+    };
+    let mut harness = window("gold");
+    work_in(&mut harness, &folder);
+    harness.run();
+    let [label, other] = ["45°", "Your materials"].map(|text| size(&harness, text));
+    click(&mut harness, "Theme");
+    click(&mut harness, "Labels at 200 %");
+    harness.run();
+    assert!(size(&harness, "45°") > 1.8 * label);
+    assert_eq!(size(&harness, "Your materials"), other);
+    let mut next = window("gold");
+    work_in(&mut next, &folder);
+    next.run();
+    assert!(size(&next, "45°") > 1.8 * label);
+    next.key_press_modifiers(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::L);
+    next.run();
+    assert_eq!(size(&next, "45°"), label);
 }
 
 #[test]

@@ -260,6 +260,22 @@ impl Views {
         self.layout.is_like(&whole, &same) || self.layout.is_like(&whole.fitted(room), &same)
     }
 
+    /// Whether they are the views of a ready layout, wherever they stand.
+    #[must_use]
+    pub fn has_views_of(&self, ready: &ReadyLayout) -> bool {
+        let mut own: Vec<&str> = self
+            .ids()
+            .iter()
+            .filter_map(|id| self.kind(*id))
+            .map(|kind| kind.id)
+            .collect();
+        let whole = (ready.layout)();
+        let mut wanted: Vec<&str> = whole.views().into_iter().copied().collect();
+        own.sort_unstable();
+        wanted.sort_unstable();
+        own == wanted
+    }
+
     /// Whether another view can be opened.
     #[must_use]
     pub fn has_room(&self) -> bool {

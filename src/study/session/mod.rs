@@ -90,6 +90,10 @@ pub struct Session {
     /// The names of parameters that are locked across materials: a change of one changes all that have it.
     #[serde(skip_serializing_if = "BTreeSet::is_empty")]
     pub locked: BTreeSet<String>,
+    /// The names of parameters that are pinned: while the views are presented, the bar below them has sliders for those that the
+    /// selected material has.
+    #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+    pub pinned: BTreeSet<String>,
     /// Which direction is held.
     pub hold: Hold,
     /// Polar angle of the held direction from n, in degrees, 0..180. From below opaque materials look as from above:
@@ -127,6 +131,7 @@ impl Default for Session {
         Self {
             materials: Materials::of(Material::of(models::START)),
             locked: BTreeSet::new(),
+            pinned: BTreeSet::new(),
             hold: Hold::Light,
             theta_deg: 50.0,
             phi_deg: 180.0,

@@ -16,16 +16,20 @@ use place::Places;
 
 mod dialogs;
 mod files;
+mod labels;
 mod own;
 mod partial;
 mod place;
+mod window;
 
 pub use dialogs::{Answer, Dialogs, FileDialog};
 pub use files::{Disk, Files, Found};
+pub use labels::LabelSize;
 pub use own::{Keeping, News, Restored};
 pub use partial::{Partial, abandon_partial};
+pub use window::WindowPlace;
 
-/// The files opened last, the theme and how the panel at the side stands, in the folder of the program's data.
+/// The files opened last, the theme, and how the window stands, in the folder of the program's data.
 const PREFERENCES: &str = "preferences.toml";
 
 /// How many recent files are kept.
@@ -57,6 +61,10 @@ struct Preferences {
     has_seen_first_steps: bool,
     /// How the panel at the side stands.
     side: Side,
+    /// How large the labels of plots are.
+    labels: LabelSize,
+    /// Where the window stood.
+    window: Option<WindowPlace>,
 }
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
@@ -65,6 +73,8 @@ pub struct Store {
     /// Where the program keeps its own.
     folder: Option<PathBuf>,
     preferences: Preferences,
+    /// Whether the window stands elsewhere than the file says.
+    is_window_moved: bool,
     own: Own,
 }
 
@@ -76,6 +86,7 @@ impl Store {
             places: Places::new(files),
             folder,
             preferences: Preferences::default(),
+            is_window_moved: false,
             own: Own::default(),
         };
         store.preferences = store.read_preferences();
@@ -120,11 +131,14 @@ impl Store {
         }
     }
 
-    /// Keeps the session for the next run, at once.
+    /// Keeps the session for the next run, and where the window stands, at once.
     ///
     /// # Errors
     /// Where it cannot be written.
     pub fn keep_now(&mut self, session: &Session) -> Result<()> {
+        if std::mem::take(&mut self.is_window_moved) {
+            self.keep_preferences();
+        }
         match &self.folder {
             Some(folder) => {
                 let kept = self.own.keep_now(&self.places, folder, session);
@@ -239,6 +253,32 @@ impl Store {
         }
     }
 
+    /// Where the window stood last, and how large it was.
+    #[must_use]
+    pub fn window(&self) -> Option<WindowPlace> {
+        self.preferences.window
+    }
+
+    /// Keeps where the window stands; that is written with something else, or at the end of the run.
+    pub fn keep_window(&mut self, window: WindowPlace) {
+        self.is_window_moved |= self.preferences.window != Some(window);
+        self.preferences.window = Some(window);
+    }
+
+    /// How large the labels of plots were last.
+    #[must_use]
+    pub fn labels(&self) -> LabelSize {
+        self.preferences.labels
+    }
+
+    /// Keeps how large the labels of plots are.
+    pub fn keep_labels(&mut self, labels: LabelSize) {
+        if self.preferences.labels != labels {
+            self.preferences.labels = labels;
+            self.keep_preferences();
+        }
+    }
+
     /// How the panel at the side stood last.
     #[must_use]
     pub fn side(&self) -> Side {
@@ -266,6 +306,7 @@ impl Store {
             .and_then(|text| toml::from_str(&text).ok())
             .unwrap_or_default();
         read.recent.truncate(MAX_RECENT);
+        read.window = read.window.filter(WindowPlace::is_allowed);
         read
     }
 

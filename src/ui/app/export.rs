@@ -113,7 +113,7 @@ impl App {
             let done = made.and_then(|made| match (made, &making.path) {
                 (Made::File(bytes), Some(path)) => self.write_file(path, &bytes),
                 (Made::Picture(image), _) => {
-                    ctx.copy_image(image);
+                    (self.put_picture)(ctx, image)?;
                     self.saved = Some(Saved::done("The picture is in the clipboard"));
                     Ok(())
                 }

@@ -9,6 +9,7 @@ use egui::{Align2, Context, Event, ThemePreference};
 use super::App;
 use super::files::{Asking, Files};
 use super::picture::Maker;
+use crate::screens;
 use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::colors;
@@ -57,6 +58,7 @@ impl App {
             self.switch_first_steps();
         }
         self.side = store.side();
+        self.labels = store.labels();
         let restored = store.restore(self.session.clone());
         if restored.session != self.session {
             self.restart(restored.session);
@@ -246,7 +248,7 @@ impl App {
         }
     }
 
-    /// Keeps the theme and the panel at the side for the next run, and the session a moment after it has changed.
+    /// Keeps the theme, the labels, the panel at the side and the place of the window for the next run, and the session a moment after it has changed.
     pub(crate) fn keep(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
         files
@@ -257,6 +259,12 @@ impl App {
                 ThemePreference::Light => Some(colors::Theme::Light),
             });
         files.store.keep_side(self.side);
+        files.store.keep_labels(self.labels);
+        let is_presenting = self.zoom_before.is_some();
+        let window = screens::place(ctx, files.store.window());
+        if let Some(window) = window.filter(|_| !is_presenting) {
+            files.store.keep_window(window);
+        }
         let now = ctx.input(|input| input.time);
         let keeping = files.store.keep(&self.session, now);
         if let Some(news) = keeping.news {

@@ -26,14 +26,15 @@ use bxdf_lab::analysis::Detail;
 use bxdf_lab::timing::Stopwatch;
 use bxdf_study::answers::Answers;
 use bxdf_study::cursor::Cursor;
-use bxdf_study::history::History;
+use bxdf_study::history::{Control, History};
 use bxdf_study::jobs::Clock;
 use bxdf_study::parallel::Pool;
 use bxdf_study::session::{Session, ViewId};
-use bxdf_study::store::Side;
+use bxdf_study::store::{LabelSize, Side};
 use exports::Exports;
 use files::Files;
 use left::Left;
+use looking::Looking;
 use readings::Reading;
 
 mod asking;
@@ -43,8 +44,10 @@ mod fetching;
 mod files;
 mod filing;
 mod first_steps;
-pub(super) mod keys;
+mod keys;
 pub(super) mod left;
+mod looking;
+mod params;
 mod picture;
 mod presenting;
 mod reading;
@@ -52,7 +55,7 @@ mod readings;
 mod side;
 mod views;
 
-pub use picture::{Maker, Picture};
+pub use picture::{Maker, Picture, PutPicture};
 
 /// The application.
 pub struct App {
@@ -60,6 +63,8 @@ pub struct App {
     pub session: Session,
     /// The states it was in.
     pub(super) history: History,
+    /// The move of the camera that was made last.
+    looking: Looking,
     /// The threads of the window beside the one that draws.
     pub(super) pool: Pool,
     pub(super) answers: Answers,
@@ -77,6 +82,8 @@ pub struct App {
     pub(super) list: MaterialList,
     /// What of the panel at the side is folded away.
     pub(super) side: Side,
+    /// How large the labels of plots are.
+    pub(super) labels: LabelSize,
     pub(super) notice: Notice,
     pub(super) said: Said,
     pub(super) pacing: Pacing,
@@ -85,6 +92,7 @@ pub struct App {
     /// What is being read, in the order in which it came.
     pub(super) readings: VecDeque<Reading>,
     pub(super) exports: Exports,
+    put_picture: PutPicture,
     /// The data that is being looked for.
     pub(super) fetches: Vec<(Resource, Receiver<Content>)>,
     pub(super) exit_problem: Arc<Mutex<Option<Error>>>,
@@ -94,6 +102,8 @@ pub struct App {
     pub(super) first_steps: Option<FirstSteps>,
     /// While the views are presented: how much the window was enlarged before.
     pub(super) zoom_before: Option<f32>,
+    /// The parameter that was changed last, by its name.
+    pub(super) last_changed: Option<&'static str>,
     /// The room that views had in the last frame.
     pub(super) room_of_views: Rect,
 }
@@ -119,6 +129,7 @@ impl App {
         let ctx = cc.egui_ctx.clone();
         Self {
             history: History::new(&session),
+            looking: Looking::default(),
             session,
             answers: Answers::new(clock, pool.clone(), move || ctx.request_repaint()),
             pool,
@@ -132,6 +143,8 @@ impl App {
             components: Components::default(),
             list: MaterialList::default(),
             side: Side::default(),
+            labels: LabelSize::default(),
+            last_changed: None,
             notice: Notice::default(),
             said: Said::default(),
             pacing: Pacing::default(),
@@ -139,6 +152,10 @@ impl App {
             files: None,
             readings: VecDeque::new(),
             exports: Exports::default(),
+            put_picture: Box::new(|ctx, picture| {
+                ctx.copy_image(picture);
+                Ok(())
+            }),
             fetches: Vec::new(),
             exit_problem: Arc::default(),
             search: None,
@@ -168,6 +185,11 @@ impl App {
         self.state.stopwatch = stopwatch;
     }
 
+    /// Puts pictures into this clipboard from here on: egui's does not say whether it takes them.
+    pub fn use_clipboard(&mut self, put_picture: PutPicture) {
+        self.put_picture = put_picture;
+    }
+
     /// The threads of the window beside the one that draws.
     #[must_use]
     pub fn pool(&self) -> Pool {
@@ -190,6 +212,17 @@ impl App {
     pub(super) fn restart(&mut self, session: Session) {
         self.history = History::new(&session);
         self.session = session;
+    }
+
+    /// Takes note of what this frame has made of the session.
+    pub(super) fn record(&mut self, ctx: &Context) {
+        let is_looking = self.session.camera != self.history.present().camera;
+        let control = if is_looking {
+            Some(self.looking.control(ctx))
+        } else {
+            keys::control_at_work(ctx).map(|id| Control(id.value()))
+        };
+        self.history.record(&self.session, control);
     }
 
     /// Adds another material like the selected one.

@@ -20,6 +20,9 @@ pub struct Picture {
     pub theme: Theme,
 }
 
+/// Puts a picture into the clipboard.
+pub type PutPicture = Box<dyn FnMut(&egui::Context, ColorImage) -> Result<()>>;
+
 /// What makes files of pictures: the application that a picture shows is made by it, and not known here.
 #[derive(Clone, Copy)]
 pub struct Maker {

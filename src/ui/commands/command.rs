@@ -61,6 +61,8 @@ pub struct Command {
     pub run: fn(&mut App, &Context),
     /// How things are now that it changes, in a few words; for what one sees anyway there are none.
     pub state: Option<fn(&App) -> String>,
+    /// Its name now, where that says what it would be done to.
+    pub now: fn(&App) -> Option<String>,
 }
 
 pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
@@ -94,6 +96,7 @@ pub(super) const fn command(
         is_enabled: |_| true,
         run,
         state: None,
+        now: |_| None,
     }
 }
 
@@ -117,6 +120,12 @@ impl Command {
         }
     }
 
+    /// Its name in menus and in the search.
+    #[must_use]
+    pub fn title_now(&self, app: &App) -> String {
+        (self.now)(app).unwrap_or_else(|| self.title.to_owned())
+    }
+
     /// The keys for it, as the screen shows them; empty where it has none.
     #[must_use]
     pub fn keys(&self, ctx: &Context) -> String {
@@ -134,10 +143,12 @@ impl Command {
     /// What it does, with the first of the keys for it.
     #[must_use]
     pub fn hint(&self, ctx: &Context) -> String {
-        self.first_keys(ctx).map_or_else(
-            || self.hint.to_owned(),
-            |keys| format!("{} ({keys})", self.hint),
-        )
+        self.with_keys(self.hint, ctx)
+    }
+
+    fn with_keys(&self, text: &str, ctx: &Context) -> String {
+        self.first_keys(ctx)
+            .map_or_else(|| text.to_owned(), |keys| format!("{text} ({keys})"))
     }
 
     /// A button for it. Returns whether it is clicked.
@@ -164,7 +175,7 @@ impl Command {
 
     /// An entry of a menu for it, which closes the menu. Returns whether it is clicked.
     pub fn menu_item(&self, ui: &mut Ui, app: &App) -> bool {
-        let mut button = Button::new(self.title);
+        let mut button = Button::new(self.title_now(app));
         if let Some(keys) = self.first_keys(ui.ctx()) {
             button = button.shortcut_text(keys);
         }
@@ -176,7 +187,10 @@ impl Command {
     }
 
     fn show(&self, ui: &mut Ui, app: &App, button: Button<'_>) -> bool {
-        let hint = self.hint(ui.ctx());
+        let hint = match (self.now)(app) {
+            Some(now) => self.with_keys(&now, ui.ctx()),
+            None => self.hint(ui.ctx()),
+        };
         let is_enabled = (self.is_enabled)(app);
         let response = ui.add_enabled(is_enabled, button);
         // The keys beside the title are for the eye: the name is the title.

@@ -3,32 +3,11 @@
 use egui::Key;
 
 use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, SHIFT, command, key, switched};
+use super::edits::{PIN, REDO, UNDO};
 use super::files::{COPY_SESSION, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA};
 use crate::app::App;
 use bxdf_lab::analysis::Hold;
 use bxdf_study::session::{Curves, MAX_MATERIALS};
-
-/// Takes back the last edit.
-pub static UNDO: Command = Command {
-    is_enabled: |app| app.history.can_undo(),
-    ..command(
-        Group::Edit,
-        ["undo", "Undo", "Undo the last edit of the session"],
-        &[key(CTRL, Key::Z)],
-        |app, _| app.history.undo(&mut app.session),
-    )
-};
-
-/// Does again what was taken back.
-pub static REDO: Command = Command {
-    is_enabled: |app| app.history.can_redo(),
-    ..command(
-        Group::Edit,
-        ["redo", "Redo", "Redo the edit that was undone"],
-        &[key(CTRL_SHIFT, Key::Z), key(CTRL, Key::Y)],
-        |app, _| app.history.redo(&mut app.session),
-    )
-};
 
 /// Adds the next choice of the picker.
 pub static ADD: Command = Command {
@@ -293,6 +272,21 @@ pub static PRESENT: Command = command(
     App::switch_presenting,
 );
 
+/// Makes the labels of plots larger, or normal again.
+pub static LABELS: Command = Command {
+    state: Some(|app| format!("Labels in plots: {} %", app.labels.percent())),
+    ..command(
+        Group::View,
+        [
+            "labels",
+            "Size of labels in plots",
+            "Make the labels of plots larger: 100, 125, 150 or 200 % of other text",
+        ],
+        &[key(CTRL_SHIFT, Key::L)],
+        |app, _| app.labels = app.labels.next(),
+    )
+};
+
 /// Folds the panel at the side, or unfolds it.
 pub static FOLD: Command = command(
     Group::View,
@@ -341,7 +335,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 29] = [
+pub static COMMANDS: [&Command; 31] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -351,6 +345,7 @@ pub static COMMANDS: [&Command; 29] = [
     &PASTE,
     &UNDO,
     &REDO,
+    &PIN,
     &ADD,
     &CHANGE,
     &DUPLICATE,
@@ -367,6 +362,7 @@ pub static COMMANDS: [&Command; 29] = [
     &DUPLICATE_VIEW,
     &OWN_SECTION,
     &PRESENT,
+    &LABELS,
     &FOLD,
     &SEARCH,
     &FIRST_STEPS,

@@ -1,6 +1,7 @@
 //! The commands: what each is, and how it is run, by buttons and by keys.
 
 mod command;
+mod edits;
 mod files;
 pub mod help;
 mod keys;
@@ -8,6 +9,7 @@ mod list;
 pub mod search;
 
 pub use command::{Command, Group};
+pub use edits::*;
 pub use files::*;
 pub use keys::run_pressed;
 pub use list::*;

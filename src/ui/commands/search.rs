@@ -11,7 +11,7 @@ use crate::widgets::search::{Entry, Outcome, Search};
 /// The window of `search`, while it goes on.
 pub fn show(search: &mut Search, ctx: &Context, app: &App) -> Outcome<&'static Command> {
     search.show(ctx, found, |command| Entry {
-        title: format!("{}: {}", command.group.title(), command.title),
+        title: format!("{}: {}", command.group.title(), command.title_now(app)),
         keys: command.first_keys(ctx).unwrap_or_default(),
         hint: command.hint,
         is_enabled: (command.is_enabled)(app),

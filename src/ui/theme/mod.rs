@@ -205,6 +205,23 @@ impl Dash {
 /// The size of the one number that a view is about, in points.
 pub const LARGE_TEXT: f32 = 20.0;
 
+/// The size of text of secondary rank, in points.
+pub const SMALL_TEXT: f32 = 11.5;
+
+/// Makes the text of a view, which is that of its plots, larger by this factor.
+pub fn enlarge_labels(style: &mut egui::Style, factor: f32) {
+    for text in [TextStyle::Small, TextStyle::Body] {
+        if let Some(font) = style.text_styles.get_mut(&text) {
+            font.size *= factor;
+        }
+    }
+}
+
+/// Lets the text of controls in a view be as large as elsewhere.
+pub fn plain_text(ui: &mut egui::Ui) {
+    ui.style_mut().text_styles = ui.ctx().global_style().text_styles.clone();
+}
+
 /// Sets fonts, text sizes and spacing for both themes.
 pub fn apply(ctx: &egui::Context) {
     // The raised minus of 10⁻³ is in no font for text.
@@ -222,7 +239,7 @@ pub fn apply(ctx: &egui::Context) {
         style.text_styles.insert(TextStyle::Heading, font(15.0));
         style.text_styles.insert(TextStyle::Body, font(13.0));
         style.text_styles.insert(TextStyle::Button, font(13.0));
-        style.text_styles.insert(TextStyle::Small, font(11.5));
+        style.text_styles.insert(TextStyle::Small, font(SMALL_TEXT));
         style.spacing.item_spacing = Vec2::new(7.0, 5.0);
         style.spacing.slider_width = 118.0;
         style.spacing.interact_size.y = 20.0;

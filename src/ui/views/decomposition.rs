@@ -83,7 +83,7 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     } else {
         room.aspect_ratio()
     };
-    for (cell, (entry, decomposition)) in pictures::cells(room, parts.len(), aspect)
+    for (cell, (entry, decomposition)) in pictures::cells(ui, room, parts.len(), aspect)
         .into_iter()
         .zip(&parts)
     {

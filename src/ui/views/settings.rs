@@ -31,6 +31,8 @@ pub(super) fn show<O>(
     // What is too wide for the view does not make the view wider.
     let room = ui.available_rect_before_wrap();
     let mut row = ui.new_child(UiBuilder::new().max_rect(room).id_salt("settings"));
+    // The size of labels is that of the plot.
+    theme::plain_text(&mut row);
     if !is_seen {
         // Out of sight, they keep their places and their names for who does not look.
         row.multiply_opacity(0.0);
@@ -66,12 +68,13 @@ fn caption<O>(ui: &Ui, cx: &ViewContext<'_, O>, room: Rect) {
     let kind = cx.session.views.kind(cx.view);
     let what = kind.map_or("", |kind| kind.what_you_see);
     let painter = ui.painter_at(room.with_max_x(ui.max_rect().right()));
-    let font = egui::TextStyle::Small.resolve(ui.style());
+    let small = egui::TextStyle::Small;
+    let font = small.resolve(&ui.ctx().global_style());
     let width = ui.max_rect().right() - room.left();
     let mut job =
         egui::text::LayoutJob::simple(what.to_owned(), font, ui.visuals().weak_text_color(), width);
-    job.wrap.max_rows =
-        ((room.height() / ui.text_style_height(&egui::TextStyle::Small)) as usize).max(1);
+    let height = ui.text_style_height(&small) / draw::label_scale(ui);
+    job.wrap.max_rows = ((room.height() / height) as usize).max(1);
     let galley = painter.layout_job(job);
     let place = Align2::LEFT_CENTER.anchor_size(room.left_center(), galley.size());
     painter.galley(place.min, galley, ui.visuals().weak_text_color());

@@ -54,14 +54,15 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if pixels.any(is_above_zero) {
         room = pictures::color_bar(ui, room, scale, "f, 1/sr", cx.palette);
     }
-    for (index, cell) in pictures::cells(room, slices.len(), 1.0)
+    let labels = draw::label_scale(ui) * LABELS;
+    for (index, cell) in pictures::cells(ui, room, slices.len(), 1.0)
         .into_iter()
         .enumerate()
     {
         if let Some((entry, slice)) = slices.get(index) {
             let mut picture = cell.picture;
-            picture.min += vec2(LABELS.x, TITLE_GAP);
-            picture.max.y -= LABELS.y;
+            picture.min += vec2(labels.x, TITLE_GAP);
+            picture.max.y -= labels.y;
             show_slice(ui, cx, Cell { picture, ..cell }, (*entry, slice), scale);
         }
     }
@@ -231,10 +232,11 @@ fn draw_axes(ui: &Ui, rect: Rect, request: &Request, taken: &mut Vec<Rect>, pale
     } else {
         "θh (half vector)"
     };
-    let below = rect.center_bottom() + vec2(0.0, 16.0);
+    let below = rect.center_bottom() + vec2(0.0, draw::label_scale(ui) * 16.0);
     painter.text(below, Align2::CENTER_TOP, name, font.clone(), palette.ink);
     let galley = painter.layout_no_wrap("θd (difference)".to_owned(), font, palette.ink);
-    let corner = rect.left_center() + vec2(-LABELS.x, 0.5 * galley.size().x);
+    let corner =
+        rect.left_center() + vec2(-draw::label_scale(ui) * LABELS.x, 0.5 * galley.size().x);
     let text = egui::epaint::TextShape::new(corner, galley, palette.ink);
     painter.add(text.with_angle(-std::f32::consts::FRAC_PI_2));
 }

@@ -35,6 +35,12 @@ pub fn body_font(ui: &Ui) -> FontId {
     TextStyle::Body.resolve(ui.style())
 }
 
+/// By how much labels are larger than other text here: the room beside plots that holds them grows as they do.
+#[must_use]
+pub fn label_scale(ui: &Ui) -> f32 {
+    small_font(ui).size / theme::SMALL_TEXT
+}
+
 /// Text on a patch of background, so that it stays readable over lines. It is moved to stay inside the clip rectangle.
 pub fn haloed_text(
     painter: &Painter,

@@ -11,6 +11,7 @@ fn is_held(ctx: &Context) -> bool {
 }
 
 /// The tooltip of a number or its slider.
+#[must_use]
 pub fn at_number(response: Response, text: &str) -> Response {
     if is_held(&response.ctx) {
         response

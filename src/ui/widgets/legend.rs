@@ -97,7 +97,8 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
             longest,
             FontSelection::Default,
         );
-        let size = vec2(theme::LINE_SAMPLE + gap + text.size().x, theme::LEGEND_ROW);
+        let height = draw::label_scale(ui) * theme::LEGEND_ROW;
+        let size = vec2(theme::LINE_SAMPLE + gap + text.size().x, height);
         if x > MARGIN && x + size.x > width {
             (x, row) = (MARGIN, row + 1);
         }
@@ -106,7 +107,7 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
         if row == MAX_ROWS || (is_followed && x + size.x + MORE > width) {
             break;
         }
-        let corner = pos2(x, row as f32 * theme::LEGEND_ROW);
+        let corner = pos2(x, row as f32 * height);
         let place = Rect::from_min_size(corner, size);
         x += size.x + distance;
         items.push(Item {

@@ -1,12 +1,13 @@
-//! The choice of the theme, and that of the section which views share.
+//! The choices of the theme and of the size of labels, and that of the section which views share.
 
 use egui::{ComboBox, Response, ThemePreference, Ui};
 
 use crate::widgets::number::Number;
 use bxdf_study::session::{SECTION_PHI, Session};
+use bxdf_study::store::LabelSize;
 
-/// Dark, light, or as the system has it.
-pub fn theme_menu(ui: &mut Ui) {
+/// Dark, light, or as the system has it; and how large the labels of plots are.
+pub fn display_menu(ui: &mut Ui, labels: &mut LabelSize) {
     let mut preference = ui.options(|options| options.theme_preference);
     let menu = ui.menu_button("🌙", |ui| {
         for (choice, name) in [
@@ -19,8 +20,19 @@ pub fn theme_menu(ui: &mut Ui) {
                 node.set_label(format!("{name} theme"));
             });
         }
+        ui.separator();
+        ui.weak("Labels in plots");
+        for size in LabelSize::ALL {
+            let name = format!("{} %", size.percent());
+            let response = ui.selectable_value(labels, size, &name);
+            ui.ctx().accesskit_node_builder(response.id, |node| {
+                node.set_label(format!("Labels at {name}"));
+            });
+        }
     });
-    let response = menu.response.on_hover_text("Dark or light");
+    let response = menu
+        .response
+        .on_hover_text("Dark or light, and the size of the labels in plots");
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label("Theme"));
     ui.ctx().set_theme(preference);

@@ -16,6 +16,7 @@ pub fn button(ui: &mut Ui, room: Rect, corner: Align2, is_changed: bool) -> bool
     let place = place(room, corner);
     // It takes no room, and what comes after it keeps its id, whether it is shown or not.
     let mut above = ui.new_child(UiBuilder::new().max_rect(place).id_salt("reset view"));
+    theme::plain_text(&mut above);
     // A drag that begins on it is none of the view below.
     let button = Button::new(RichText::new("Reset view").small()).sense(Sense::click_and_drag());
     is_changed

@@ -18,6 +18,7 @@ pub struct Steps {
 
 /// Takes the arrow keys for the control `id`, if it has the focus: they move the focus on no longer. All that are pressed in a
 /// row are one step of the history.
+#[must_use]
 pub fn take(ui: &Ui, id: Id) -> Option<Steps> {
     let arrows = EventFilter {
         horizontal_arrows: true,

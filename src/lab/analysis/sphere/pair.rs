@@ -91,9 +91,10 @@ pub fn viewer_of(light: DVec3, normal: DVec3, (wo, wi): (DVec3, DVec3)) -> Optio
     // Light and viewer stand at plus and minus theta_d in the plane of the first and the third axis; what is known is
     // n . wi = cos theta_i.
     let middle = n.x.atan2(n.z);
-    let spread = (wi.z / n.x.hypot(n.z).max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0);
+    let aside = (n.x * n.x + n.z * n.z - wi.z * wi.z).max(0.0).sqrt();
+    let spread = aside.atan2(wi.z);
     let viewers = [1.0, -1.0].map(|sign| {
-        let theta_d = (middle + sign * spread.acos()).clamp(0.0, FRAC_PI_2);
+        let theta_d = (middle + sign * spread).clamp(0.0, FRAC_PI_2);
         let (sin, cos) = theta_d.sin_cos();
         let [there, here] = [-1.0, 1.0].map(|sign| DVec3::new(sign * sin, 0.0, cos));
         turned_to(n, (there, here), wi)
@@ -114,8 +115,7 @@ fn turned_to(n: DVec3, (wo, here): (DVec3, DVec3), wi: DVec3) -> DVec3 {
     let across = |w: DVec3| {
         let across = w - n * w.dot(n);
         // What rounding leaves is no direction.
-        let is_one = across.length() > 1e-9;
-        is_one.then(|| across.normalize())
+        across.try_normalize().filter(|_| across.length() > 1e-9)
     };
     // With the light along n any azimuth will do: the viewer stands across.
     let x = across(here).or_else(|| across(-wo));

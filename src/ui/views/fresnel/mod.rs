@@ -50,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         .map(|(entry, title)| (entry.id(), title))
         .collect();
     let room = ui.available_rect_before_wrap();
-    let cells = cells(room, shown.len());
+    let cells = cells(ui, room, shown.len());
     for (cell, (entry, _)) in cells.into_iter().zip(&shown) {
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
         show_material(ui, cx, (*entry, &name), cell.picture);
@@ -59,11 +59,11 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 }
 
 /// A place for the chart of each material: the grid of those that leave the most room for one.
-fn cells(room: Rect, count: usize) -> Vec<Cell> {
+fn cells(ui: &Ui, room: Rect, count: usize) -> Vec<Cell> {
     if count < 2 {
-        return pictures::cells(room, count, room.aspect_ratio());
+        return pictures::cells(ui, room, count, room.aspect_ratio());
     }
-    let grids = ASPECTS.map(|aspect| pictures::cells(room, count, aspect));
+    let grids = ASPECTS.map(|aspect| pictures::cells(ui, room, count, aspect));
     let area = |cells: &Vec<Cell>| cells.first().map_or(0.0, |cell| cell.picture.area());
     let largest = grids.into_iter().max_by(|a, b| area(a).total_cmp(&area(b)));
     largest.unwrap_or_default()

@@ -6,7 +6,7 @@ use egui::{Align2, Pos2, Rect, Ui};
 use glam::DVec3;
 
 use super::super::context::ViewContext;
-use super::place::{LABELS, mirrored, position};
+use super::place::{label_room, mirrored, position};
 use crate::theme::Palette;
 use crate::widgets::{deltas, draw, handle, pictures};
 use bxdf::math::frame;
@@ -57,9 +57,9 @@ fn axis_names(rect: Rect) -> [(Pos2, Align2, &'static str); 2] {
     ]
 }
 
-/// What the names of the axes cover.
-pub(super) fn room_of_axes(rect: Rect) -> [Rect; 2] {
-    let size = egui::Vec2::splat(LABELS);
+/// What the names of the axes cover in this room around the disc.
+pub(super) fn room_of_axes(rect: Rect, room: f32) -> [Rect; 2] {
+    let size = egui::Vec2::splat(room);
     axis_names(rect).map(|(place, anchor, _)| anchor.anchor_size(place, size))
 }
 
@@ -112,9 +112,9 @@ pub(super) fn draw_deltas(
     let Some(found) = session.materials.get(entry) else {
         return Vec::new();
     };
-    let painter = ui.painter_at(rect.expand(LABELS));
+    let painter = ui.painter_at(rect.expand(label_room(ui)));
     let color = cx.palette.material(found.slot());
-    let mut taken = room_of_axes(rect).to_vec();
+    let mut taken = room_of_axes(rect, label_room(ui)).to_vec();
     for w in [session.held(), session.other()] {
         if (w.z > 0.0) != options.is_lower {
             taken.push(handle::room(position(rect, w, options.projection)));

@@ -21,7 +21,7 @@ use bxdf_study::views::hemisphere::Options;
 mod marks;
 mod place;
 
-use place::{LABELS, mirrored};
+use place::{label_room, mirrored};
 
 /// The largest ratio that colours tell apart.
 const LARGEST_RATIO: f64 = 100.0;
@@ -58,11 +58,11 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if let Some(scale) = scale {
         room = pictures::color_bar(ui, room, scale, &quantity_name(options), cx.palette);
     }
-    let cells = pictures::cells(room, maps.len(), 1.0);
+    let cells = pictures::cells(ui, room, maps.len(), 1.0);
     let (mut first, mut covered) = (None, Vec::new());
     for (cell, (entry, map)) in cells.into_iter().zip(&maps) {
         let disc = Cell {
-            picture: cell.picture.shrink(LABELS),
+            picture: cell.picture.shrink(label_room(ui)),
             ..cell
         };
         covered.extend(show_map(ui, cx, disc, (*entry, map), scale));
@@ -259,8 +259,12 @@ fn draw_contours(
 /// The handles of light and viewer, where they are on the side shown, with their names clear of what is `covered`.
 fn drag_directions(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, covered: &[Rect]) {
     let options = *cx.options;
-    let mut labels = Labels::within(rect.expand(LABELS));
-    for room in covered.iter().copied().chain(marks::room_of_axes(rect)) {
+    let mut labels = Labels::within(rect.expand(label_room(ui)));
+    for room in covered
+        .iter()
+        .copied()
+        .chain(marks::room_of_axes(rect, label_room(ui)))
+    {
         labels.keep_off(room);
     }
     for one in cx.directions() {

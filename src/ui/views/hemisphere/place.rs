@@ -1,13 +1,15 @@
 //! Where directions lie on the disc.
 
-use egui::Rect;
+use egui::{Rect, Ui};
 use glam::DVec3;
 
-use crate::widgets::pictures;
+use crate::widgets::{draw, pictures};
 use bxdf_lab::analysis::hemisphere::Projection;
 
 /// Room for labels around a disc, in points.
-pub(super) const LABELS: f32 = 15.0;
+pub(super) fn label_room(ui: &Ui) -> f32 {
+    15.0 * draw::label_scale(ui)
+}
 
 /// A place of the unit disc in the picture, x to the right and y up, as a share from its upper left; and back.
 pub(super) fn mirrored([x, y]: [f64; 2]) -> [f64; 2] {

@@ -95,7 +95,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         let name = name.join(if name[1].is_empty() { "" } else { ", " });
         pictures = pictures::color_bar(ui, pictures, scale, &name, cx.palette);
     }
-    let cells = pictures::cells(pictures, known.len(), Scene::aspect(halves));
+    let cells = pictures::cells(ui, pictures, known.len(), Scene::aspect(halves));
     for (cell, one) in cells.into_iter().zip(&known) {
         let shown = shown(one);
         if is_beside {

@@ -66,7 +66,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if is_overlaid {
         show_scene(ui, cx, (requested, scales), room, covered);
     } else {
-        let cells = pictures::cells(room, requested.len(), CELL_ASPECT);
+        let cells = pictures::cells(ui, room, requested.len(), CELL_ASPECT);
         for (index, (cell, one)) in cells.into_iter().zip(requested).enumerate() {
             pictures::title(ui, cell, one.material(), cx.session, cx.palette);
             let own = scales.of_one(index);

@@ -175,6 +175,11 @@ impl Canvas<'_> {
         self.ui.painter_at(*self.transform.frame())
     }
 
+    /// The radius of labels: as far outside of the circle as they are large.
+    pub(super) fn outside(&self, radius: f64) -> f64 {
+        1.0 + (radius - 1.0) * f64::from(draw::label_scale(self.ui))
+    }
+
     pub(super) fn position(&self, radius: f64, angle: f64) -> Pos2 {
         let [x, y] = at(radius, angle);
         self.transform.position_from_point(&PlotPoint::new(x, y))

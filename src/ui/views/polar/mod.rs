@@ -60,7 +60,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     plotted.sort_by_key(|one| one.slot);
     let room = ui.available_rect_before_wrap();
     let aspect = aspect(cx.state.shows_lower_half(cx.session));
-    let cells = pictures::cells(room, plotted.len(), aspect);
+    let cells = pictures::cells(ui, room, plotted.len(), aspect);
     for (cell, one) in cells.into_iter().zip(plotted) {
         pictures::title(ui, cell, one.entry, cx.session, cx.palette);
         let scope = UiBuilder::new().max_rect(cell.picture).id_salt(one.entry);
@@ -149,7 +149,7 @@ fn show_plot(
 ) {
     let rings = rings(cx, plotted, shared);
     let has_lower = cx.state.shows_lower_half(cx.session);
-    let window = window(ui.available_size(), has_lower);
+    let window = window(ui.available_size(), has_lower, draw::label_scale(ui));
     let salt = ("polar", has_lower);
     let id = ui.make_persistent_id(IdSalt::new(salt));
     let is_new = PlotMemory::load(ui.ctx(), id).is_none();
@@ -291,11 +291,13 @@ fn aspect(has_lower: bool) -> f32 {
 }
 
 /// The smallest part of the plot's plane of this shape that holds the circle (or its upper half) with its labels.
-fn window(size: egui::Vec2, has_lower: bool) -> PlotBounds {
-    let (right, top) = (1.0 + SIDE_ROOM, 1.0 + TOP_ROOM);
+fn window(size: egui::Vec2, has_lower: bool, label_scale: f32) -> PlotBounds {
+    // In a large plot labels that are twice as large take less than twice the room.
+    let room = f64::from(0.5 + 0.5 * label_scale);
+    let (right, top) = (1.0 + room * SIDE_ROOM, 1.0 + room * TOP_ROOM);
     let (width, height) = (f64::from(size.x.max(1.0)), f64::from(size.y.max(1.0)));
     // The numbers below the horizon are as high in a small plot as in a large one.
-    let numbers = LOWER_POINTS * 2.0 * right / width;
+    let numbers = f64::from(label_scale) * LOWER_POINTS * 2.0 * right / width;
     let bottom = if has_lower {
         -top
     } else {
@@ -382,7 +384,7 @@ mod tests {
     fn every_shape_of_window_holds_the_circle() {
         for size in [vec2(480.0, 360.0), vec2(300.0, 700.0), vec2(900.0, 200.0)] {
             for has_lower in [false, true] {
-                let bounds = window(size, has_lower);
+                let bounds = window(size, has_lower, 1.0);
                 let ([left, low], [right, high]) = (bounds.min(), bounds.max());
                 assert!(
                     left <= -1.399 && right >= 1.399 && high >= 1.269,

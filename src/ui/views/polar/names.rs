@@ -64,7 +64,7 @@ impl Canvas<'_> {
         {
             let angle = f64::from(angle_deg).to_radians();
             text(
-                self.position(ANGLE_LABEL_RADIUS, angle),
+                self.position(self.outside(ANGLE_LABEL_RADIUS), angle),
                 Align2::CENTER_CENTER,
                 format!("{}°", angle_deg.abs()),
             );
@@ -115,7 +115,7 @@ impl Canvas<'_> {
         palette: &theme::Palette,
     ) {
         let painter = self.painter();
-        let name_radius = NAME_RADIUS.max(1.0 + f64::from(NAME_GAP / self.radius()));
+        let name_radius = self.outside(NAME_RADIUS.max(1.0 + f64::from(NAME_GAP / self.radius())));
         let mut taken: Vec<f64> = Vec::new();
         for way in named_directions(session, directions, section, palette) {
             let Way {

@@ -64,9 +64,12 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, draw_disc: Dr
         .shown()
         .map(MaterialEntry::id)
         .collect();
-    for (cell, entry) in pictures::cells(discs, ids.len(), 1.0).into_iter().zip(ids) {
+    for (cell, entry) in pictures::cells(ui, discs, ids.len(), 1.0)
+        .into_iter()
+        .zip(ids)
+    {
         let disc = Cell {
-            picture: cell.picture.shrink(LABELS),
+            picture: cell.picture.shrink(draw::label_scale(ui) * LABELS),
             ..cell
         };
         pictures::title(ui, cell, entry, cx.session, cx.palette);
@@ -132,7 +135,7 @@ impl Disc {
                 palette.ink,
             );
         }
-        let mut labels = Labels::within(self.rect.expand(LABELS));
+        let mut labels = Labels::within(self.rect.expand(draw::label_scale(ui) * LABELS));
         for one in cx.directions() {
             let at = self.position(one.direction);
             if one.direction.z > 0.0 {

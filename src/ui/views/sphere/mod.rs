@@ -222,7 +222,7 @@ fn show_grid(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool
         .collect();
     let (mut is_clipped, mut first) = (false, None);
     let mut covered = Vec::new();
-    let cells = pictures::cells(room, ids.len(), 1.0);
+    let cells = pictures::cells(ui, room, ids.len(), 1.0);
     for (cell, entry) in cells.into_iter().zip(&ids) {
         let rect = cell.picture.shrink(MARGIN * cell.picture.width());
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
@@ -251,7 +251,7 @@ fn show_wipe(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, room: Rect) -> bool
         .shown()
         .map(MaterialEntry::id)
         .collect();
-    let Some(cell) = pictures::cells(room, 1, 1.0).into_iter().next() else {
+    let Some(cell) = pictures::cells(ui, room, 1, 1.0).into_iter().next() else {
         return false;
     };
     let rect = cell.picture.shrink(MARGIN * cell.picture.width());

@@ -48,7 +48,7 @@ pub(super) fn show(
     let kinds = [0, 1]
         .into_iter()
         .flat_map(|form| [0, 1].map(|p| (form, p)));
-    let rooms = plate::rooms(room, FORMS.len() * PRECISIONS.len());
+    let rooms = plate::rooms(ui, room, FORMS.len() * PRECISIONS.len());
     let mut note = None;
     for ((form, precision), rect) in kinds.zip(rooms.iter().copied()) {
         let of =

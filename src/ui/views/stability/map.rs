@@ -27,7 +27,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let whole = ui.available_rect_before_wrap();
     let room = pictures::color_bar(ui, whole, scale, name, cx.palette);
     let mut note = None;
-    let rooms = plate::rooms(room, PRECISIONS.len());
+    let rooms = plate::rooms(ui, room, PRECISIONS.len());
     for (index, (picture, title)) in rooms.into_iter().zip(PRECISIONS).enumerate() {
         plate::title(ui, picture, title, cx.palette);
         note = show_map(ui, cx, picture, (&request, &map, index), scale).or(note);

@@ -27,10 +27,14 @@ const ROUNDINGS: [f64; 2] = [0.1, 1e3];
 const UNIT_ROUNDOFFS: [f64; 2] = [f32::UNIT_ROUNDOFF, f64::UNIT_ROUNDOFF];
 
 /// Room for the names and numbers of the axes, in points: at the left and below.
-const LABELS: egui::Vec2 = vec2(54.0, 30.0);
+fn label_room(ui: &Ui) -> egui::Vec2 {
+    draw::label_scale(ui) * vec2(54.0, 30.0)
+}
 
 /// Room between numbers of an axis, in points.
-const TICK_SPACING: f32 = 46.0;
+fn tick_spacing(ui: &Ui) -> f32 {
+    draw::label_scale(ui) * 46.0
+}
 
 /// The colours of errors in this unit, and what the scale is called.
 pub(super) fn colors(unit: ErrorUnit) -> (ColorScale, &'static str) {
@@ -58,18 +62,19 @@ pub(super) fn in_unit(unit: ErrorUnit, precision: usize, error: f64, ratio: f64)
 }
 
 /// Room for `n` maps with their axes.
-pub(super) fn rooms(room: Rect, n: usize) -> Vec<Rect> {
+pub(super) fn rooms(ui: &Ui, room: Rect, n: usize) -> Vec<Rect> {
+    let labels = label_room(ui);
     // As wide as high without its axes.
-    let side = (room.height() / n as f32).max(2.0 * LABELS.x);
-    let cells = pictures::cells(room, n, (side + LABELS.x) / (side + LABELS.y));
-    cells.into_iter().map(|cell: Cell| square(&cell)).collect()
+    let side = (room.height() / n as f32).max(2.0 * labels.x);
+    let cells = pictures::cells(ui, room, n, (side + labels.x) / (side + labels.y));
+    cells.iter().map(|cell| square(cell, labels)).collect()
 }
 
 /// The largest square of a cell beside its axes.
-fn square(cell: &Cell) -> Rect {
+fn square(cell: &Cell, labels: egui::Vec2) -> Rect {
     let mut picture = cell.picture;
-    picture.min.x += LABELS.x;
-    picture.max.y -= LABELS.y;
+    picture.min.x += labels.x;
+    picture.max.y -= labels.y;
     let side = picture.width().min(picture.height());
     Rect::from_min_size(picture.min, vec2(side, side))
 }
@@ -135,9 +140,9 @@ pub(super) fn draw_axes(
     palette: &Palette,
 ) {
     let painter = ui.painter();
-    let font = draw::small_font(ui);
+    let (font, labels, spacing) = (draw::small_font(ui), label_room(ui), tick_spacing(ui));
     painter.rect_stroke(rect, 0.0, (1.0, palette.axis), egui::StrokeKind::Outside);
-    for (value, share) in ticks(across, rect.width()) {
+    for (value, share) in ticks(across, rect.width() / spacing) {
         let below = pictures::position_of(rect, [share, 1.0]) + vec2(0.0, 3.0);
         let anchor = if share > 0.95 {
             Align2::RIGHT_TOP
@@ -155,11 +160,11 @@ pub(super) fn draw_axes(
     // Where a name would reach into the next map, the pointer reads it out.
     let fits = |length: f32, room: f32, beside: f32| length < room + beside;
     let galley = painter.layout_no_wrap(across.title.clone(), font.clone(), palette.ink);
-    if fits(galley.size().x, rect.width(), LABELS.x) {
-        let below = rect.center_bottom() + vec2(-0.5 * galley.size().x, 15.0);
+    if fits(galley.size().x, rect.width(), labels.x) {
+        let below = rect.center_bottom() + vec2(-0.5 * galley.size().x, 0.5 * labels.y);
         painter.galley(below, galley, palette.ink);
     }
-    for (value, share) in ticks(up, rect.height()) {
+    for (value, share) in ticks(up, rect.height() / spacing) {
         let left = pictures::position_of(rect, [0.0, 1.0 - share]) - vec2(4.0, 0.0);
         painter.text(
             left,
@@ -170,17 +175,17 @@ pub(super) fn draw_axes(
         );
     }
     let galley = painter.layout_no_wrap(up.title.clone(), font, palette.ink);
-    if is_first && fits(galley.size().x, rect.height(), LABELS.y) {
-        let corner = rect.left_center() + vec2(-LABELS.x, 0.5 * galley.size().x);
+    if is_first && fits(galley.size().x, rect.height(), labels.y) {
+        let corner = rect.left_center() + vec2(-labels.x, 0.5 * galley.size().x);
         let text = egui::epaint::TextShape::new(corner, galley, palette.ink);
         painter.add(text.with_angle(-std::f32::consts::FRAC_PI_2));
     }
 }
 
-/// Numbers beside an axis of this length in points, with their shares.
-fn ticks(axis: &Axis, length: f32) -> Vec<(f64, f64)> {
+/// At most about so many numbers beside an axis, with their shares.
+fn ticks(axis: &Axis, most: f32) -> Vec<(f64, f64)> {
     let [low, high] = axis.range;
-    let most = (length / TICK_SPACING).max(1.0) as usize;
+    let most = most.max(1.0) as usize;
     let all: Vec<f64> = if axis.is_logarithmic {
         let decades = low.log10().ceil() as i32..=high.log10().floor() as i32;
         decades.map(|decade| 10.0_f64.powi(decade)).collect()
@@ -209,9 +214,9 @@ mod tests {
 
     #[test]
     fn ticks_are_round_and_few() {
-        let angles = ticks(&(&map::Axis::ThetaI).into(), 200.0);
+        let angles = ticks(&(&map::Axis::ThetaI).into(), 4.3);
         assert!(angles.len() <= 5 && angles[0] == (0.0, 0.0), "{angles:?}");
-        let decades = ticks(&(&map::Axis::GrazingI).into(), 200.0);
+        let decades = ticks(&(&map::Axis::GrazingI).into(), 4.3);
         assert!(
             decades
                 .iter()

@@ -15,6 +15,7 @@ use bxdf_study::session::Session;
 use fit::Part;
 
 mod fit;
+pub mod presented;
 
 /// The room for the mark that all is computed, in points.
 const MARK: f32 = 20.0;

@@ -230,8 +230,9 @@ impl Chart {
     /// The names of the curves with samples of their lines, in rows.
     fn name_series(&self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
+            let row = draw::label_scale(ui) * theme::LEGEND_ROW;
             let spacing = ui.spacing_mut();
-            (spacing.item_spacing.y, spacing.interact_size.y) = (0.0, theme::LEGEND_ROW);
+            (spacing.item_spacing.y, spacing.interact_size.y) = (0.0, row);
             for series in &self.series {
                 let font = draw::small_font(ui);
                 let painter = ui.painter();
@@ -240,7 +241,7 @@ impl Chart {
                 let width = theme::LINE_SAMPLE + galley.size().x + 2.0 * gap;
                 choice::keep_together(ui, width);
                 ui.horizontal(|ui| {
-                    let size = vec2(theme::LINE_SAMPLE, theme::LEGEND_ROW);
+                    let size = vec2(theme::LINE_SAMPLE, row);
                     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
                     let ends = [rect.left_center(), rect.right_center()];
                     let stroke = (series.width, series.color);

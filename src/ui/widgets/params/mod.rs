@@ -10,11 +10,12 @@ use bxdf_study::store::Side;
 use order::Row;
 use row::Place;
 pub use ties::Ties;
-pub use words::{label, labels, reason};
+pub use words::reason;
 
 mod controls;
 mod metal;
 mod order;
+pub mod pinned;
 mod row;
 mod ties;
 mod words;

@@ -4,7 +4,7 @@ use egui::{Align, ComboBox, Layout, Response, Ui, WidgetInfo};
 
 use super::controls::{name, reset_button};
 use super::ties::Ties;
-use super::words::{CHANNELS, accessible, hint, label, labels, reason, sentence};
+use super::words::{accessible, hint, reason, sentence};
 use crate::theme;
 use crate::widgets::data::{self, Change};
 use crate::widgets::hint::at_number;
@@ -12,6 +12,7 @@ use crate::widgets::number::{Number, Shown};
 use bxdf::Component;
 use bxdf::param::{Kind, ParamSpec, Role, Scale, Value};
 use bxdf_study::number::NumberSpec;
+use bxdf_study::parameters::{CHANNELS, label, labels};
 
 /// Says why a model refuses a value though it is within its range.
 type Check<'a> = &'a dyn Fn(Value) -> Result<(), String>;
@@ -63,6 +64,34 @@ pub(super) fn of_component(
     }
 }
 
+/// The name, the slider and the number of a parameter of `component`, in a line.
+pub(super) fn in_line(
+    ui: &mut Ui,
+    component: &mut Component,
+    place: Place,
+    (title, rail): (&str, f32),
+) {
+    let spec = place.spec;
+    let Some(Value::Number(before)) = component.params().get(spec.name) else {
+        return;
+    };
+    let (known, mut value, was) = (place.accessible(&label(spec)), before, component.clone());
+    let check = |x| {
+        let refused = was.clone().set(spec.name, Value::Number(x));
+        refused.map_err(reason)
+    };
+    let number = number_of(spec, &known, &check);
+    let hint = hint(spec);
+    ui.label(title).on_hover_text(&hint);
+    ui.spacing_mut().slider_width = rail;
+    let _ = at_number(number.rail(ui, &mut value), &hint);
+    let shown = number.field(ui, &mut value).on_hover_text(&hint);
+    shown.explain_above(ui);
+    if value != before {
+        set(component, spec, Value::Number(value));
+    }
+}
+
 /// Sets a parameter. Where the model refuses a choice because of the parameters it brings into play, these start from
 /// their defaults; any other refused combination leaves the component as it was, and the slider springs back.
 fn set(component: &mut Component, spec: &ParamSpec, value: Value) {
@@ -111,6 +140,7 @@ pub(super) fn show(
             }
             if let Some(ties) = ties {
                 ties.link_button(ui, spec, ordinal);
+                ties.pin_button(ui, spec, ordinal);
             }
             if let Value::Choice(word) = value {
                 choice(ui, place, word);
@@ -138,7 +168,7 @@ fn below(
     let spec = place.spec;
     match value {
         Value::Number(number) => {
-            let known = place.accessible(&super::words::label(spec));
+            let known = place.accessible(&bxdf_study::parameters::label(spec));
             let check = |x| check(Value::Number(x));
             let of_spec = number_of(spec, &known, &check);
             let row = ui.horizontal(|ui| rail_and_field(ui, spec, &of_spec, number));

@@ -2,12 +2,12 @@
 
 use egui::text::LayoutJob;
 use egui::{
-    Align, Color32, Rect, Response, Role, Sense, StrokeKind, TextFormat, Ui, WidgetInfo, vec2,
+    Align, Color32, Rect, Response, Role, Sense, StrokeKind, TextFormat, TextStyle, Ui, WidgetInfo,
+    vec2,
 };
 
 use super::entry::Entry;
 use crate::theme;
-use crate::widgets::draw;
 use crate::widgets::thumbnails::{self, Thumbnails};
 use bxdf_study::answers::Answers;
 
@@ -77,7 +77,7 @@ impl Cell {
         } else {
             ui.visuals().text_color()
         };
-        let format = TextFormat::simple(draw::small_font(ui), color);
+        let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), color);
         let mut job = LayoutJob::single_section(title, format);
         job.halign = Align::Center;
         job.wrap.max_width = rect.width() - 2.0 * GAP;

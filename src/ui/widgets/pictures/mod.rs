@@ -34,8 +34,13 @@ pub struct Cell {
 
 /// Square places for `n` pictures in `room`, as large as they go, row by row; `aspect`: width over height.
 #[must_use]
-pub fn cells(room: Rect, n: usize, aspect: f32) -> Vec<Cell> {
-    let title = if n > 1 { theme::LEGEND_ROW } else { 0.0 };
+pub fn cells(ui: &Ui, room: Rect, n: usize, aspect: f32) -> Vec<Cell> {
+    below_titles(room, n, (aspect, draw::label_scale(ui) * theme::LEGEND_ROW))
+}
+
+/// The same below titles of this height, where there are several.
+fn below_titles(room: Rect, n: usize, (aspect, title): (f32, f32)) -> Vec<Cell> {
+    let title = if n > 1 { title } else { 0.0 };
     let height_for = |columns: usize| {
         let rows = n.div_ceil(columns);
         let width = (room.width() - GAP * (columns as f32 - 1.0)) / columns as f32;
@@ -163,15 +168,15 @@ pub fn title(
 pub fn color_bar(ui: &Ui, room: Rect, scale: ColorScale, name: &str, palette: &Palette) -> Rect {
     const WIDTH: f32 = 12.0;
     const STEPS: usize = 48;
-    const TEXT: f32 = 62.0;
-    const TICK_SPACING: f32 = 14.0;
+    let [text_width, tick_spacing, top] =
+        [62.0, 14.0, 22.0].map(|room| room * draw::label_scale(ui));
     let font = draw::small_font(ui);
     let painter = ui.painter_at(room);
     let bar = Rect::from_min_max(
-        pos2(room.right() - TEXT - WIDTH, room.top() + 22.0),
-        pos2(room.right() - TEXT, room.bottom() - 10.0),
+        pos2(room.right() - text_width - WIDTH, room.top() + top),
+        pos2(room.right() - text_width, room.bottom() - 10.0),
     );
-    if bar.height() < 20.0 || room.width() < 3.0 * (TEXT + WIDTH) {
+    if bar.height() < 20.0 || room.width() < 3.0 * (text_width + WIDTH) {
         return room;
     }
     for step in 0..STEPS {
@@ -191,7 +196,7 @@ pub fn color_bar(ui: &Ui, room: Rect, scale: ColorScale, name: &str, palette: &P
     for value in scale.ticks() {
         let y = bar.bottom() - scale.share(value) as f32 * bar.height();
         // From below: where two would touch, the lower one stays.
-        if last - y < TICK_SPACING {
+        if last - y < tick_spacing {
             continue;
         }
         last = y;
@@ -217,7 +222,7 @@ mod tests {
     fn pictures_fill_the_room_and_do_not_overlap() {
         let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(640.0, 300.0));
         for n in 1..=8 {
-            let cells = cells(room, n, 1.0);
+            let cells = below_titles(room, n, (1.0, theme::LEGEND_ROW));
             assert_eq!(cells.len(), n);
             for (index, cell) in cells.iter().enumerate() {
                 assert!(
@@ -229,7 +234,7 @@ mod tests {
                 assert!(cells.iter().take(index).all(is_apart), "{n}");
             }
         }
-        assert!(cells(room, 1, 1.0)[0].picture.height() > 299.0);
+        assert!(below_titles(room, 1, (1.0, 0.0))[0].picture.height() > 299.0);
     }
 
     #[test]
