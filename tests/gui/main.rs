@@ -132,6 +132,7 @@ fn picture(mut session: Session, view: Option<&str>, size: [u32; 2], theme: Them
         size,
         scale: 1.0,
         theme,
+        figure: None,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::Subjects;
 use crate::number::{NumberSpec, Numbers};
 use bxdf_lab::analysis::RadialScale;
 
@@ -144,6 +145,14 @@ impl Arrangement {
         match self {
             Self::Overlaid => "Overlaid",
             Self::SideBySide => "Side by side",
+        }
+    }
+
+    /// Where the materials are named.
+    pub(super) const fn subjects(self) -> Subjects {
+        match self {
+            Self::Overlaid => Subjects::Together,
+            Self::SideBySide => Subjects::Apart,
         }
     }
 

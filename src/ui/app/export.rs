@@ -78,6 +78,7 @@ impl App {
             size: SIZE,
             scale: SCALE,
             theme: ctx.theme(),
+            figure: None,
         }
     }
 

@@ -32,6 +32,7 @@ use bxdf_study::parallel::Pool;
 use bxdf_study::session::{Session, ViewId};
 use bxdf_study::store::Side;
 use exports::Exports;
+pub(super) use figure::Heading;
 use files::Files;
 use readings::Reading;
 
@@ -39,6 +40,7 @@ mod asking;
 mod export;
 mod exports;
 mod fetching;
+mod figure;
 mod files;
 mod filing;
 mod first_steps;
@@ -50,7 +52,7 @@ mod readings;
 mod side;
 mod views;
 
-pub use picture::{Maker, Picture};
+pub use picture::{Figure, Maker, OnScreen, Picture, Title};
 
 /// The application.
 pub struct App {
@@ -66,6 +68,10 @@ pub struct App {
     /// What the views of this frame say of it.
     pub(super) pointed: Option<Cursor>,
     pub(super) only: Option<ViewId>,
+    /// The title above that view, where the picture of it has one.
+    pub(super) heading: Option<Heading>,
+    /// Whether only what the graphics processor draws is painted.
+    pub(super) has_scenes_alone: bool,
     /// The view last clicked into.
     pub(super) clicked: Option<ViewId>,
     pub(super) picker: Picker,
@@ -122,6 +128,8 @@ impl App {
             cursor: None,
             pointed: None,
             only,
+            heading: None,
+            has_scenes_alone: false,
             clicked: None,
             picker: Picker::default(),
             components: Components::default(),
@@ -147,8 +155,11 @@ impl App {
 
     /// The application as pictures show it: without what stands over a view for a hand alone.
     #[must_use]
-    pub fn for_picture(mut self) -> Self {
+    pub fn for_picture(mut self, figure: Option<&Figure>) -> Self {
         self.state.is_picture = true;
+        self.state.is_figure = figure.is_some();
+        self.heading = figure.and_then(Heading::of);
+        self.state.is_titled = self.heading.is_some();
         self
     }
 

@@ -82,6 +82,10 @@ pub const WORDS_WIDTH: f32 = 1180.0;
 pub const SEARCH_FIELD_WIDTH: f32 = 230.0;
 /// Room between the edge of a tile and its view.
 pub const TILE_MARGIN: f32 = 4.0;
+/// The room around a figure, and between its title and its view, in points.
+pub const FIGURE_MARGIN: f32 = 10.0;
+/// See [`FIGURE_MARGIN`].
+pub const FIGURE_GAP: f32 = 6.0;
 /// Height of the bar with the names of the views in a tile.
 pub const TAB_BAR_HEIGHT: f32 = 24.0;
 /// The width of a drop-down, in points.

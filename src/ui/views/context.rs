@@ -4,11 +4,12 @@ use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use egui::Ui;
+use egui::{Rect, Ui};
 use glam::DVec3;
 
 use crate::theme::{Dash, Palette};
 use crate::widgets::chart::{self, Axis, Mark};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::pictures::{ColorScale, Textures};
 use crate::widgets::{choice, deltas as widgets_deltas, draw};
 use bxdf_lab::analysis::hemisphere::Map;
@@ -54,6 +55,12 @@ pub struct ViewState {
     number: u64,
     /// Whether a picture is made, in which nobody can click.
     pub(crate) is_picture: bool,
+    /// Whether it is a figure: what the pointer would tell is written there.
+    pub(crate) is_figure: bool,
+    /// Whether a title names what has no name in the view itself.
+    pub(crate) is_titled: bool,
+    /// What scenes of the graphics processor fill in this frame: they have no shapes to be measured.
+    pub(crate) filled: Option<Rect>,
     /// What measures the times of trade-offs.
     pub(crate) stopwatch: Stopwatch,
     /// A file that a view asks to be written.
@@ -121,6 +128,19 @@ impl<O> ViewContext<'_, O> {
             named(session.other(), session.free_name(), other, false),
             named(session.held(), session.held_name(), session.hold, true),
         ]
+    }
+
+    /// Says that a scene fills `rect`.
+    pub(super) fn fill(&mut self, rect: Rect) {
+        let filled = &mut self.state.filled;
+        *filled = Some(filled.map_or(rect, |other| other.union(rect)));
+    }
+
+    /// The names of the materials shown, above the view, where no title has them; a click selects one.
+    pub(super) fn legend(&mut self, ui: &mut Ui, swatch: Swatch) {
+        if !self.state.is_titled {
+            legend::show(ui, swatch, self.session, self.palette);
+        }
     }
 
     /// Puts the light or the viewer at the direction `w`.
@@ -226,6 +246,7 @@ impl ViewState {
     /// To be called before the views of a frame are drawn. What views kept that are closed is dropped.
     pub fn begin_frame(&mut self, session: &Session) {
         self.textures.begin_frame();
+        self.filled = None;
         let is_open = |view: &ViewId| session.views.get(*view).is_some();
         self.contours
             .retain(|(view, entry), _| is_open(view) && session.materials.get(*entry).is_some());

@@ -8,7 +8,7 @@ use super::context::ViewContext;
 use super::settings;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
-use crate::widgets::legend::{self, Swatch};
+use crate::widgets::legend::Swatch;
 use crate::widgets::{choice, draw, pictures};
 use bxdf::{Category, Lobe};
 use bxdf_lab::analysis::decomposition::{Decomposition, Factors};
@@ -16,8 +16,8 @@ use bxdf_lab::analysis::{Channel, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, Session};
-use bxdf_study::views::DECADES;
 use bxdf_study::views::decomposition::{Decomposed, Options};
+use bxdf_study::views::{DECADES, value_of_f};
 
 /// Width over height of the charts of several materials.
 const ASPECT: f32 = 1.5;
@@ -99,7 +99,7 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 
 /// One chart of the factors of all materials.
 fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Swatch::Patch, cx.session, cx.palette);
+    cx.legend(ui, Swatch::Patch);
     let parts = parts(cx);
     let mut series = Vec::new();
     for (entry, decomposition) in &parts {
@@ -223,11 +223,7 @@ fn lobes_chart(
         .map(delta_stem(palette))
         .collect();
     let decades = (options.is_logarithmic && !options.is_stacked).then_some(DECADES);
-    let quantity = if session.with_cosine {
-        "f |cos θ| (1/sr)"
-    } else {
-        "f (1/sr)"
-    };
+    let quantity = value_of_f(session);
     let y = if highest == 0.0 && !stems.is_empty() {
         super::context::share_axis(stems.iter().map(|stem| stem.share))
     } else {

@@ -31,4 +31,5 @@ pub mod saved;
 pub mod search;
 pub mod shares;
 pub mod status;
+pub mod still;
 pub mod thumbnails;

@@ -228,6 +228,15 @@ fn own_interface(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     };
     let line =
         format!("No {of} shown has an index of refraction: this interface is the view's own");
+    if cx.state.is_picture {
+        let [n, k] = [cx.options.own_n, cx.options.own_k].map(format::value);
+        ui.label(
+            RichText::new(format!("{line}, n {n}, k {k}"))
+                .small()
+                .weak(),
+        );
+        return;
+    }
     ui.label(RichText::new(line).small().weak());
     ui.horizontal_wrapped(|ui| {
         let rows = [

@@ -180,11 +180,11 @@ pub(super) struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
-    fn painter(&self) -> egui::Painter {
+    pub(super) fn painter(&self) -> egui::Painter {
         self.ui.painter_at(*self.transform.frame())
     }
 
-    fn position(&self, radius: f64, angle: f64) -> Pos2 {
+    pub(super) fn position(&self, radius: f64, angle: f64) -> Pos2 {
         let [x, y] = at(radius, angle);
         self.transform.position_from_point(&PlotPoint::new(x, y))
     }
@@ -271,15 +271,16 @@ impl Canvas<'_> {
         }
     }
 
+    /// Returns where the names stand.
     pub(super) fn name_directions(
         &self,
         session: &Session,
         directions: &[Named],
         section: Section,
         palette: &theme::Palette,
-    ) {
+    ) -> Vec<Rect> {
         let painter = self.painter();
-        let mut taken: Vec<f64> = Vec::new();
+        let (mut taken, mut covered): (Vec<f64>, _) = (Vec::new(), Vec::new());
         for way in named_directions(session, directions, section, palette) {
             let Way {
                 name, angle, color, ..
@@ -300,7 +301,7 @@ impl Canvas<'_> {
                 _ if angle.cos() < 0.0 => Align2::CENTER_TOP,
                 _ => Align2::CENTER_BOTTOM,
             };
-            draw::haloed_text(
+            covered.push(draw::haloed_text(
                 &painter,
                 position,
                 anchor,
@@ -308,8 +309,9 @@ impl Canvas<'_> {
                 draw::body_font(self.ui),
                 color,
                 palette,
-            );
+            ));
         }
+        covered
     }
 
     /// A sentence in the corner that the circle leaves free.

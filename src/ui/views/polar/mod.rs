@@ -1,13 +1,13 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
-use egui::{IdSalt, Rect, Ui, UiBuilder, vec2};
+use egui::{IdSalt, Rect, Sense, Ui, UiBuilder, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::context::ViewContext;
 use super::{kept_scale, settings};
 use crate::theme::Dash;
-use crate::widgets::legend::{self, Swatch};
-use crate::widgets::{draw, pictures, reset};
+use crate::widgets::legend::Swatch;
+use crate::widgets::{draw, handle, pictures, reset, still};
 use bxdf_lab::analysis::{RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::MaterialEntry;
@@ -18,6 +18,7 @@ use radial::{Radial, Rings, at};
 
 mod canvas;
 mod handles;
+mod names;
 mod radial;
 
 /// The room beside the plot's unit circle that labels need, and above it.
@@ -49,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         settings::curves(ui, cx);
     });
     if cx.options.arrangement == Arrangement::Overlaid || plotted.len() < 2 {
-        legend::show(ui, Swatch::Line, cx.session, cx.palette);
+        cx.legend(ui, Swatch::Line);
         let room = ui.available_rect_before_wrap();
         show_plot(ui, cx, &plotted, shared);
         offer_peaks(ui, cx, &plotted, room);
@@ -163,6 +164,7 @@ fn show_plot(
         .show_background(false)
         .allow_boxed_zoom(false)
         .allow_scroll(false)
+        .sense(still::sense(ui, Sense::click_and_drag()))
         .set_margin_fraction(vec2(0.0, 0.0))
         .default_x_bounds(window.min()[0], window.max()[0])
         .default_y_bounds(window.min()[1], window.max()[1])
@@ -195,7 +197,15 @@ fn show_plot(
         canvas.draw_arrows(one, &mut taken, &palette);
     }
     canvas.label_grid(&rings, &taken, &palette, has_lower);
-    canvas.name_directions(cx.session, &directions, section, &palette);
+    taken.extend(canvas.name_directions(cx.session, &directions, section, &palette));
+    if cx.state.is_figure && !is_only {
+        let tips = directions.iter().map(|one| {
+            let tip = canvas.position(1.0, polar::signed_angle(one.direction, section.phi()));
+            handle::room(tip)
+        });
+        taken.extend(tips);
+        canvas.name_materials(cx.session, plotted, &taken, &palette);
+    }
     canvas.name_curves(cx.session, &palette);
     if let Some(note) = note(cx, plotted) {
         canvas.note(note, &palette);

@@ -8,7 +8,7 @@ use egui_plot::{
     PlotUi, Points, VLine,
 };
 
-use super::{choice, deltas, draw, reset};
+use super::{choice, deltas, draw, reset, still};
 use crate::theme::{self, Palette};
 pub use axis::Axis;
 use bxdf_study::format;
@@ -125,6 +125,8 @@ impl Chart {
             .show_crosshair(false)
             .allow_boxed_zoom(false)
             .allow_scroll(false)
+            .sense(still::sense(ui, Sense::click_and_drag()))
+            .allow_axis_zoom_drag(!still::is(ui))
             .label_formatter(|_| None);
         let plot = if self.x.is_angle {
             plot.x_grid_spacer(|input| axis::angle_marks(input.bounds))

@@ -5,7 +5,7 @@ use egui::{
     Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
 };
 
-use super::draw;
+use super::{draw, still};
 use crate::theme::{self, Palette};
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, Session};
@@ -102,7 +102,8 @@ pub fn show(
     let texture = textures.get(ui, id, made_of, paint);
     texture.paint(ui.painter(), cell.picture);
     let name = title(ui, cell, picture.entry, session, palette);
-    let response = ui.interact(cell.picture, id, Sense::click_and_drag());
+    let sense = still::sense(ui, Sense::click_and_drag());
+    let response = ui.interact(cell.picture, id, sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &name));
     response
 }
@@ -124,21 +125,14 @@ pub fn title(
     }
     let color = palette.material(of.slot());
     let is_selected = session.materials.selected().id() == entry;
-    let response = ui.interact(
-        cell.title,
-        ui.scope_id().with(("title", entry)),
-        Sense::click(),
-    );
-    response.widget_info(|| {
-        WidgetInfo::selected(Role::Button, true, is_selected, format!("Picture: {name}"))
-    });
+    let is_strong = is_selected || still::is(ui);
     let painter = ui.painter_at(cell.title);
     let swatch = Rect::from_min_size(
         cell.title.min + vec2(0.0, 0.5 * (cell.title.height() - theme::SWATCH.y)),
         theme::SWATCH,
     );
     painter.rect_filled(swatch, 2.0, color);
-    let ink = if is_selected {
+    let ink = if is_strong {
         palette.ink
     } else {
         palette.faint_ink
@@ -149,6 +143,14 @@ pub fn title(
     let galley = text.into_galley(ui, wrap, width, FontSelection::Default);
     let place = swatch.right_center() + vec2(5.0, -0.5 * galley.size().y);
     painter.galley_with_override_text_color(place, galley, ink);
+    if still::is(ui) {
+        return name;
+    }
+    let id = ui.scope_id().with(("title", entry));
+    let response = ui.interact(cell.title, id, Sense::click());
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::Button, true, is_selected, format!("Picture: {name}"))
+    });
     if response.on_hover_text(&name).clicked() {
         session.materials.select(entry);
     }
