@@ -96,6 +96,7 @@ impl App {
             let mut ui = ui.new_child(UiBuilder::new().max_rect(room).id_salt("view"));
             ui.set_clip_rect(room.expand(margin).intersect(ui.clip_rect()));
             self.show_view(&mut ui, view, palette);
+            self.lacking = (ui.min_rect().bottom() - room.bottom()).max(0.0);
         });
         self.keep_scenes(ui);
     }

@@ -16,8 +16,10 @@ pub struct Caption {
 /// Where the materials of a view are named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subjects {
-    /// They share one picture: in the title.
-    Together,
+    /// They share one picture, told apart by their lines: in the title.
+    Lines,
+    /// They share one picture, told apart by their colours: in the title.
+    Colors,
     /// Each has a picture or a row of its own: there, where there are several.
     Apart,
     /// The selected one is all that is shown.
@@ -42,7 +44,7 @@ impl Caption {
     pub(super) fn of(quantity: impl Into<String>) -> Self {
         Self {
             quantity: quantity.into(),
-            names: Subjects::Together,
+            names: Subjects::Lines,
             directions: Directions::Both,
         }
     }

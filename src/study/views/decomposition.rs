@@ -75,7 +75,7 @@ impl ViewOptions for Options {
     fn caption(&self, session: &Session) -> Caption {
         match self.into {
             Decomposed::Lobes => Caption::of(value_of_f(session)).naming(Subjects::Apart),
-            Decomposed::Factors => Caption::of("the factors D, G and F"),
+            Decomposed::Factors => Caption::of("the factors D, G and F").naming(Subjects::Colors),
         }
     }
 

@@ -25,6 +25,6 @@ pub struct Options {}
 
 impl ViewOptions for Options {
     fn caption(&self, _: &Session) -> Caption {
-        Caption::of("values at one pair of directions").naming(Subjects::Apart)
+        Caption::of("values at one pair of directions").naming(Subjects::Colors)
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::caption::{Caption, value_of_f};
+use super::caption::{Caption, Subjects, value_of_f};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::scale::{Arrangement, Scale};
 use super::section::OwnSection;
@@ -59,7 +59,7 @@ impl ViewOptions for Options {
         let azimuth = format::degrees(section.azimuth_deg);
         let value = value_of_f(session);
         Caption::of(format!("{value} in the section at azimuth {azimuth}"))
-            .naming(self.arrangement.subjects())
+            .naming(self.arrangement.subjects(Subjects::Lines))
     }
 
     fn own_section(&mut self) -> Option<&mut OwnSection> {

@@ -111,7 +111,8 @@ impl Options {
 impl ViewOptions for Options {
     fn caption(&self, _: &Session) -> Caption {
         let names = match self.plot {
-            Plot::Curves | Plot::Weights => Subjects::Together,
+            Plot::Curves => Subjects::Colors,
+            Plot::Weights => Subjects::Lines,
             Plot::Points | Plot::Warp | Plot::Histogram | Plot::Estimators => Subjects::Apart,
         };
         let count = 1_u32 << self.count_log2;

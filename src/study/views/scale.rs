@@ -148,10 +148,10 @@ impl Arrangement {
         }
     }
 
-    /// Where the materials are named.
-    pub(super) const fn subjects(self) -> Subjects {
+    /// Where materials are named that are named so in one picture.
+    pub(super) const fn subjects(self, overlaid: Subjects) -> Subjects {
         match self {
-            Self::Overlaid => Subjects::Together,
+            Self::Overlaid => overlaid,
             Self::SideBySide => Subjects::Apart,
         }
     }

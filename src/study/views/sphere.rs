@@ -143,7 +143,7 @@ impl Options {
 impl ViewOptions for Options {
     fn caption(&self, _: &Session) -> Caption {
         let names = match self.arrangement {
-            Arrangement::Wipe => Subjects::Together,
+            Arrangement::Wipe => Subjects::Colors,
             Arrangement::Grid | Arrangement::Difference => Subjects::Apart,
         };
         let light = self.light.title().to_lowercase();

@@ -2,9 +2,11 @@
 
 use egui::epaint::ClippedShape;
 use egui::layers::ShapeIdx;
-use egui::{Rect, Shape, Ui};
+use egui::{Context, Rect, Shape, Ui};
 
 use super::{App, Figure, Title};
+use crate::widgets::still;
+use bxdf_study::views::Subjects;
 
 /// The title of a figure, above the view or beside it.
 pub struct Heading {
@@ -39,28 +41,51 @@ impl App {
         self.heading.is_some()
     }
 
+    /// Whether it shows a scene of the graphics processor, which is as large as the room is high.
+    #[must_use]
+    pub fn has_scene(&self) -> bool {
+        self.state.filled.is_some()
+    }
+
+    /// Whether each of several materials has a picture of its own.
+    #[must_use]
+    pub fn shows_several_apart(&self) -> bool {
+        let options = self.only.and_then(|view| self.session.views.get(view));
+        let caption = options.map(|options| options.caption(&self.session));
+        let is_apart = caption.is_some_and(|caption| caption.names == Subjects::Apart);
+        is_apart && self.session.materials.is_overlay()
+    }
+
     /// The room of the one view that is shown.
     #[must_use]
     pub fn room_of_view(&self) -> Rect {
         self.room_of_views
     }
 
+    /// By how much that room is too low for the view, in points.
+    #[must_use]
+    pub fn lacking(&self) -> f32 {
+        self.lacking
+    }
+
     /// The part of that room in which there is something to see, of the last frame's `shapes`.
     #[must_use]
-    pub fn seen(&self, shapes: &[ClippedShape]) -> Rect {
+    pub fn seen(&self, ctx: &Context, shapes: &[ClippedShape]) -> Rect {
         let room = self.room_of_views;
-        let of_shape = |clipped: &ClippedShape| {
-            if matches!(clipped.shape, Shape::Callback(_)) {
-                return Rect::NOTHING;
-            }
-            let bounds = clipped.shape.visual_bounding_rect();
-            bounds.intersect(clipped.clip_rect)
-        };
-        let is_inside = |rect: &Rect| {
+        let followers = still::followers(ctx);
+        let is_counted = |rect: &Rect| {
             // The ground behind all is nothing to see.
-            rect.is_positive() && room.expand(1.0).contains_rect(*rect)
+            rect.is_positive()
+                && room.expand(1.0).contains_rect(*rect)
+                && !followers
+                    .iter()
+                    .any(|other| other.expand(1.0).contains_rect(*rect))
         };
-        let seen = shapes.iter().map(of_shape).filter(is_inside);
+        let of_shape = |clipped: &ClippedShape| match &clipped.shape {
+            Shape::Callback(_) => Rect::NOTHING,
+            shape => shape.visual_bounding_rect().intersect(clipped.clip_rect),
+        };
+        let seen = shapes.iter().map(of_shape).filter(is_counted);
         seen.chain(self.state.filled)
             .fold(Rect::NOTHING, Rect::union)
     }

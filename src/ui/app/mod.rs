@@ -98,6 +98,8 @@ pub struct App {
     pub(super) zoom_before: Option<f32>,
     /// The room that views had in the last frame.
     pub(super) room_of_views: Rect,
+    /// By how much that of the one view of a picture was too low, in points.
+    pub(super) lacking: f32,
 }
 
 impl App {
@@ -149,6 +151,7 @@ impl App {
             tiles: None,
             first_steps: None,
             zoom_before: None,
+            lacking: 0.0,
             room_of_views: Rect::from_min_size(Pos2::ZERO, theme::WINDOW_SIZE),
         }
     }

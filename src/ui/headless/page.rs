@@ -1,6 +1,6 @@
 //! Cutting the page of a figure to what there is to see.
 
-use egui::{Rect, Vec2, vec2};
+use egui::{Vec2, vec2};
 use egui_kittest::Harness;
 
 use crate::app::{App, Figure};
@@ -18,6 +18,23 @@ const TITLE_SHARE: f32 = 0.3;
 /// The most height over width that a page grows to.
 const TALLEST: f32 = 1.25;
 
+/// The same of a page that is too low for all rows of a table.
+const LONGEST: f32 = 3.0;
+
+/// By how much a page is made larger at a time that is too small for all rows of a table, and how large at most.
+const LARGER: f32 = 1.05;
+/// See [`LARGER`].
+const LARGEST: f32 = 3.0;
+
+/// How often a page is cut: what is seen may stand elsewhere on another one.
+const PASSES: usize = 4;
+
+/// What is left free up to this share of the room is no margin to be cut.
+const SLACK: f32 = 0.05;
+
+/// What is seen on a page that is cut keeps this share of its size at least: titles may take another row.
+const KEPT: f32 = 0.9;
+
 /// The least width of a page, as a share of the whole one: titles need it.
 const NARROWEST: f32 = 0.5;
 
@@ -32,50 +49,102 @@ pub(super) fn fit(harness: &mut Harness<'_, App>, figure: Option<&Figure>) {
         Cut::None => {
             let (room, seen) = room_and_seen(harness);
             if harness.state().has_title() && seen.x < NARROW * room.x {
-                let width = TITLE_SHARE * size.x;
-                harness.state_mut().put_title_beside(width);
+                harness.state_mut().put_title_beside(TITLE_SHARE * size.x);
                 harness.run_ok();
             }
         }
         Cut::Height => {
-            let (room, seen) = room_and_seen(harness);
-            let more = if seen.x < FULL * room.x {
-                // What is as high as the room is larger in a higher one.
-                room.y * (room.x / seen.x - 1.0)
-            } else {
-                (seen.y - room.y).min(0.0)
-            };
-            resize(harness, vec2(size.x, (size.y + more).min(TALLEST * size.x)));
-            // What grew no wider leaves room below.
-            let (room, seen) = room_and_seen(harness);
-            let height = harness.ctx.content_rect().height() - (room.y - seen.y).max(0.0);
-            resize(harness, vec2(size.x, height));
-        }
-        Cut::Both => {
-            for _ in 0..2 {
-                let (room, seen) = room_and_seen(harness);
-                let left = (room - seen).max(Vec2::ZERO);
-                let now = harness.ctx.content_rect().size();
-                let width = (now.x - left.x).max(NARROWEST * size.x);
-                resize(harness, vec2(width, now.y - left.y));
+            if harness.state().shows_several_apart() {
+                // Pictures of several materials stand below one another too.
+                resize(harness, vec2(size.x, size.x));
             }
+            for _ in 0..PASSES {
+                let height = harness.ctx.content_rect().height() + more(harness);
+                let most = if harness.state().lacking() > 0.0 {
+                    LONGEST
+                } else {
+                    TALLEST
+                };
+                resize(harness, vec2(size.x, height.min(most * size.x)));
+            }
+            cut(harness, [false, true], size);
+        }
+        Cut::Both => cut(harness, [true, true], size),
+    }
+    if page.cut != Cut::Height {
+        hold_all(harness, page.scale() as f32);
+    }
+}
+
+/// How much higher a page of this width is to be, so that all is seen, as large as the width allows.
+fn more(harness: &Harness<'_, App>) -> f32 {
+    let (app, (room, seen)) = (harness.state(), room_and_seen(harness));
+    let is_narrow = seen.x < FULL * room.x;
+    if app.lacking() > 0.0 {
+        app.lacking()
+    } else if is_narrow && (app.has_scene() || seen.y > FULL * room.y) {
+        room.y * (room.x / seen.x - 1.0)
+    } else {
+        0.0
+    }
+}
+
+/// Cuts the page to what there is to see, across and down where that is asked for; `whole`: its size at first.
+fn cut(harness: &mut Harness<'_, App>, [across, down]: [bool; 2], whole: Vec2) {
+    // A scene is as large as its room.
+    let down = down && !harness.state().has_scene();
+    for _ in 0..PASSES {
+        let (room, seen) = room_and_seen(harness);
+        // What keeps a margin on one side keeps it on the other.
+        let margins = (room / seen).max(Vec2::splat(1.0));
+        let left = (room - seen * vec2(margins.y, margins.x)).max(Vec2::ZERO);
+        let size = harness.ctx.content_rect().size();
+        if across && left.x > SLACK * room.x {
+            let width = (size.x - left.x).max(NARROWEST * whole.x);
+            try_size(harness, vec2(width, size.y));
+        }
+        if down && left.y > SLACK * room.y {
+            let height = harness.ctx.content_rect().height() - left.y;
+            try_size(harness, vec2(harness.ctx.content_rect().width(), height));
         }
     }
 }
 
-/// The size of the view's room, and of what is seen in it.
-fn room_and_seen(harness: &Harness<'_, App>) -> (Vec2, Vec2) {
-    let (app, shapes) = (harness.state(), &harness.output().shapes);
-    let (room, seen) = (app.room_of_view(), app.seen(shapes));
-    let seen = if seen.is_positive() { seen } else { room };
-    (room.size(), centred(seen, room).size())
+/// Gives the page this size, unless what is seen shrinks with it: its margins are its own then.
+fn try_size(harness: &mut Harness<'_, App>, size: Vec2) {
+    let (before, (_, large)) = (harness.ctx.content_rect().size(), room_and_seen(harness));
+    resize(harness, size);
+    let (_, small) = room_and_seen(harness);
+    if small.x < KEPT * large.x || small.y < KEPT * large.y {
+        resize(harness, before);
+    }
 }
 
-/// The rectangle about the middle of `room` that holds `seen`, so that nothing is cut on any side, and no higher than the room.
-fn centred(seen: Rect, room: Rect) -> Rect {
-    let middle = room.center();
-    let half = (seen.max - middle).max(middle - seen.min);
-    Rect::from_center_size(middle, 2.0 * half).intersect(room)
+/// Makes a page larger that is too low for what there is to see, in the same number of pixels: a long table is better small
+/// than cut off.
+fn hold_all(harness: &mut Harness<'_, App>, scale: f32) {
+    let whole = harness.ctx.content_rect().size();
+    let mut factor = 1.0;
+    while harness.state().lacking() > 0.0 && factor < LARGEST {
+        factor *= LARGER;
+        harness.set_pixels_per_point(scale / factor);
+        harness.set_size(whole * factor);
+        harness.run_ok();
+    }
+}
+
+/// The size of the view's room, and of what is seen in it: across, of what stands about the middle of the room, so that
+/// nothing is cut on either side.
+fn room_and_seen(harness: &Harness<'_, App>) -> (Vec2, Vec2) {
+    let (app, shapes) = (harness.state(), &harness.output().shapes);
+    let (room, seen) = (app.room_of_view(), app.seen(&harness.ctx, shapes));
+    if !seen.is_positive() {
+        return (room.size(), room.size());
+    }
+    let middle = room.center().x;
+    let half = (seen.right() - middle).max(middle - seen.left());
+    let width = (2.0 * half).min(room.width());
+    (room.size(), vec2(width, seen.height()))
 }
 
 fn resize(harness: &mut Harness<'_, App>, size: Vec2) {

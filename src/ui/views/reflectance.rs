@@ -162,7 +162,7 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
 /// The share that leaves of light arriving from everywhere, in words.
 fn hemispherical(title: &str, curve: &Curve) -> String {
     let Some(mean) = &curve.hemispherical else {
-        return format!("{title}  ρ_hh …");
+        return format!("{title}\u{a0}\u{a0}ρ_hh\u{a0}…");
     };
     let [r, t] = [mean.reflection, mean.transmission].map(|rgb| Channel::Luminance.of(rgb));
     let transmitted = if t > 0.0 {
@@ -170,7 +170,10 @@ fn hemispherical(title: &str, curve: &Curve) -> String {
     } else {
         String::new()
     };
-    format!("{title}  ρ_hh {}{transmitted}", format::value(r))
+    format!(
+        "{title}\u{a0}\u{a0}ρ_hh\u{a0}{}{transmitted}",
+        format::value(r)
+    )
 }
 
 /// The parts of a curve.

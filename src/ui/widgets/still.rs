@@ -1,6 +1,6 @@
 //! What nobody can act in: pictures are drawn by the views themselves, whose controls are not there then.
 
-use egui::{ScrollArea, Sense, Ui};
+use egui::{Context, Id, Rect, ScrollArea, Sense, Ui};
 
 /// Leaves only what is to be seen of all that is drawn into `ui` from now on: nothing takes the pointer or the focus, and no
 /// text can be selected.
@@ -32,3 +32,34 @@ pub fn scroll(ui: &mut Ui, area: ScrollArea, add: impl FnOnce(&mut Ui)) {
         area.show(ui, add);
     }
 }
+
+/// What a pass has that follows the page, whatever its size.
+#[derive(Clone, Default)]
+struct Followers {
+    pass: u64,
+    places: Vec<Rect>,
+}
+
+/// Says that what covers `rect` follows the edges of the room: where a page is cut to what there is to see, it does not count.
+pub fn follows_room(ui: &Ui, rect: Rect) {
+    let pass = ui.ctx().cumulative_pass_nr();
+    ui.data_mut(|data| {
+        let followers: &mut Followers = data.get_temp_mut_or_default(Id::unique(FOLLOWERS));
+        if followers.pass != pass {
+            *followers = Followers {
+                pass,
+                places: Vec::new(),
+            };
+        }
+        followers.places.push(rect);
+    });
+}
+
+/// What followed the edges of the room in the last pass that had such.
+#[must_use]
+pub fn followers(ctx: &Context) -> Vec<Rect> {
+    let followers: Option<Followers> = ctx.data(|data| data.get_temp(Id::unique(FOLLOWERS)));
+    followers.unwrap_or_default().places
+}
+
+const FOLLOWERS: &str = "follows the room";

@@ -215,20 +215,23 @@ impl Canvas<'_> {
     }
 
     /// The numbers of the grid, but those that would lie below what is `taken`: a share is worth more than one of many angles.
+    /// Returns where they stand.
     pub(super) fn label_grid(
         &self,
         rings: &Rings,
         taken: &[Rect],
         palette: &theme::Palette,
         has_lower: bool,
-    ) {
+    ) -> Vec<Rect> {
         let painter = self.painter();
-        let text = |position: Pos2, anchor: Align2, text: String| {
+        let mut written = Vec::new();
+        let mut text = |position: Pos2, anchor: Align2, text: String| {
             let font = draw::small_font(self.ui);
             let galley = painter.layout_no_wrap(text, font, palette.faint_ink);
             let rect = anchor.anchor_size(position, galley.size());
             if !taken.iter().any(|other| other.intersects(rect)) {
                 painter.galley(rect.min, galley, palette.faint_ink);
+                written.push(rect);
             }
         };
         let limit: i32 = if has_lower { 180 } else { 90 };
@@ -269,6 +272,7 @@ impl Canvas<'_> {
                 rings.quantity.clone(),
             );
         }
+        written
     }
 
     /// Returns where the names stand.

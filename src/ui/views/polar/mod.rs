@@ -7,7 +7,7 @@ use super::context::ViewContext;
 use super::{kept_scale, settings};
 use crate::theme::Dash;
 use crate::widgets::legend::Swatch;
-use crate::widgets::{draw, handle, pictures, reset, still};
+use crate::widgets::{draw, pictures, reset, still};
 use bxdf_lab::analysis::{RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::MaterialEntry;
@@ -196,22 +196,15 @@ fn show_plot(
     for one in plotted {
         canvas.draw_arrows(one, &mut taken, &palette);
     }
-    canvas.label_grid(&rings, &taken, &palette, has_lower);
+    let numbers = canvas.label_grid(&rings, &taken, &palette, has_lower);
+    taken.extend(numbers);
     taken.extend(canvas.name_directions(cx.session, &directions, section, &palette));
-    if cx.state.is_figure && !is_only {
-        let tips = directions.iter().map(|one| {
-            let tip = canvas.position(1.0, polar::signed_angle(one.direction, section.phi()));
-            handle::room(tip)
-        });
-        taken.extend(tips);
-        canvas.name_materials(cx.session, plotted, &taken, &palette);
-    }
+    canvas.name_materials(cx, plotted, taken);
     canvas.name_curves(cx.session, &palette);
     if let Some(note) = note(cx, plotted) {
         canvas.note(note, &palette);
     }
     let transform = response.transform;
-
     if handles::drag_all(ui, cx, &transform) {
         cx.state.keep_arrangement(has_lower);
     } else {

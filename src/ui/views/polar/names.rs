@@ -1,41 +1,66 @@
 //! The names of the materials beside their curves, in a figure: nobody can point at a curve there.
 
+use std::f64::consts::FRAC_PI_2;
+
 use egui::{Align2, Pos2, Rect, Vec2};
 
+use super::super::context::ViewContext;
 use super::canvas::{Canvas, Plotted};
 use super::radial::peak;
-use crate::theme::Palette;
-use crate::widgets::draw;
 use crate::widgets::labels::{Labels, Place, Reach};
-use bxdf_lab::analysis::polar::Point;
+use crate::widgets::{draw, handle};
+use bxdf_lab::analysis::polar::{Point, signed_angle};
 use bxdf_study::session::Session;
+use bxdf_study::views::polar::Options;
 
 /// The most characters of a name; the title has more of it.
 const LONGEST: usize = 24;
 
 /// What a point of a curve keeps free about it, in points.
-const CLEAR: f32 = 4.0;
+const CLEAR: Vec2 = Vec2::splat(4.0);
+
+/// The points of a straight line that are looked at.
+const STEPS: u8 = 40;
 
 /// Only every such point is looked at: curves have more points than that shows.
 const EVERY: usize = 2;
 
 impl Canvas<'_> {
-    /// Writes the name of each material where its curve is longest, clear of all curves and of what is `taken`.
+    /// In a figure of several materials: writes the name of each material where its curve is longest, clear of all curves and directions and of what is `taken`.
     pub(super) fn name_materials(
         &self,
-        session: &Session,
+        cx: &ViewContext<'_, Options>,
         plotted: &[Plotted],
-        taken: &[Rect],
-        palette: &Palette,
+        taken: Vec<Rect>,
     ) {
+        if !cx.state.is_figure || plotted.len() < 2 {
+            return;
+        }
+        let (session, palette) = (&*cx.session, cx.palette);
         let painter = self.painter();
         let font = draw::body_font(self.ui);
         let mut labels = Labels::within(self.transform.frame().shrink(2.0));
-        taken.iter().for_each(|rect| labels.keep_off(*rect));
+        for rect in taken {
+            labels.keep_off(rect);
+        }
+        let mut keep_off = |at: Pos2| labels.keep_off(Rect::from_center_size(at, CLEAR));
         for one in plotted {
-            for at in self.curve(session, one).step_by(EVERY) {
-                labels.keep_off(Rect::from_center_size(at, Vec2::splat(CLEAR)));
-            }
+            self.curve(session, one)
+                .step_by(EVERY)
+                .for_each(&mut keep_off);
+        }
+        let azimuth = cx.options.own_section_deg.of(session).phi();
+        let directions = cx.directions();
+        let angles = directions
+            .iter()
+            .map(|one| signed_angle(one.direction, azimuth));
+        for angle in angles.chain([0.0, FRAC_PI_2, -FRAC_PI_2]) {
+            let radii = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS));
+            radii.for_each(|radius| keep_off(self.position(radius, angle)));
+        }
+        for one in &directions {
+            let tip = self.position(1.0, signed_angle(one.direction, azimuth));
+            labels.keep_off(handle::room(tip));
         }
         let foot = self.position(0.0, 0.0);
         // The selected one is drawn last, and named first.

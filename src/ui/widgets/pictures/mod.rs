@@ -21,6 +21,9 @@ const GAP: f32 = 8.0;
 /// How much a grid without empty places is preferred to larger pictures.
 const FILLING: f32 = 0.3;
 
+/// Width over height that the charts of several materials may have.
+const CHART_ASPECTS: [f32; 5] = [0.9, 1.2, 1.6, 2.1, 2.8];
+
 /// A place for a picture: square, with a title above where there are several.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
@@ -62,6 +65,19 @@ pub fn cells(room: Rect, n: usize, aspect: f32) -> Vec<Cell> {
             }
         })
         .collect()
+}
+
+/// Places for the charts of `n` materials in `room`: of grids of charts of several shapes the one that leaves the most room
+/// for one.
+#[must_use]
+pub fn cells_of_charts(room: Rect, n: usize) -> Vec<Cell> {
+    if n < 2 {
+        return cells(room, n, room.aspect_ratio());
+    }
+    let grids = CHART_ASPECTS.map(|aspect| cells(room, n, aspect));
+    let area = |cells: &Vec<Cell>| cells.first().map_or(0.0, |cell| cell.picture.area());
+    let largest = grids.into_iter().max_by(|a, b| area(a).total_cmp(&area(b)));
+    largest.unwrap_or_default()
 }
 
 /// A place of a picture in 0..1 from the upper left, and back.
@@ -174,6 +190,7 @@ pub fn color_bar(ui: &Ui, room: Rect, scale: ColorScale, name: &str, palette: &P
     if bar.height() < 20.0 || room.width() < 3.0 * (TEXT + WIDTH) {
         return room;
     }
+    still::follows_room(ui, room.with_min_x(bar.left() - GAP));
     for step in 0..STEPS {
         let [from, to] = [step, step + 1].map(|step| step as f64 / STEPS as f64);
         let corner = |share: f64| bar.bottom() - share as f32 * bar.height();
