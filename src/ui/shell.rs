@@ -24,6 +24,7 @@ impl App {
         if is_pressed && ui.rect_contains_pointer(ui.max_rect()) {
             self.clicked = Some(view);
         }
+        self.note_size(view, ui.max_rect().size());
         self.with_view(view, palette, |cx, options| {
             ui.push_id((options.kind().id, view), |ui| {
                 views::show(ui, cx, options);
@@ -190,6 +191,7 @@ impl App {
 
     /// The windows above all else: the help, the search of the commands, and what a key did, over the `views`.
     fn show_windows(&mut self, ctx: &Context, views: Rect) {
+        self.show_figure_dialog(ctx);
         self.show_path_field(ctx);
         if self.is_help_shown {
             self.is_help_shown = help::show(ctx);
@@ -249,7 +251,8 @@ impl App {
         let asked = self.state.take_wished_file();
         let asked = asked.map(|(view, format)| (view, Wish::Export(format)));
         match shown.wished.or(asked) {
-            Some((view, Wish::Export(format))) => self.ask_export(view, format),
+            Some((view, Wish::Export(format))) => self.ask_export_of(view, format),
+            Some((view, Wish::Figure)) => self.choose_figure(view),
             Some((view, Wish::CopyPicture)) => self.copy_picture(view, ui.ctx()),
             Some((view, Wish::Duplicate)) => self.duplicate_view(view),
             Some((view, Wish::OwnSection)) => self.switch_own_section(view),

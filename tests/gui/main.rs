@@ -15,6 +15,7 @@ mod deltas;
 mod directions;
 mod drawing;
 mod export;
+mod figures;
 mod files;
 mod fresnel;
 mod gestures;

@@ -57,6 +57,7 @@ impl App {
             self.switch_first_steps();
         }
         self.side = store.side();
+        self.exports.choice = store.figure();
         let restored = store.restore(self.session.clone());
         if restored.session != self.session {
             self.restart(restored.session);
@@ -257,6 +258,7 @@ impl App {
                 ThemePreference::Light => Some(colors::Theme::Light),
             });
         files.store.keep_side(self.side);
+        files.store.keep_figure(self.exports.choice);
         let now = ctx.input(|input| input.time);
         let keeping = files.store.keep(&self.session, now);
         if let Some(news) = keeping.news {

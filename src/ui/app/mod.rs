@@ -41,6 +41,7 @@ mod export;
 mod exports;
 mod fetching;
 mod figure;
+mod figure_dialog;
 mod files;
 mod filing;
 mod first_steps;
@@ -236,7 +237,10 @@ impl App {
     /// Whether what is typed next goes to a text, which has the focus or is about to have it.
     #[must_use]
     pub fn is_typed_in(&self, ctx: &Context) -> bool {
-        ctx.text_edit_focused() || self.search.is_some() || self.picker.has_focus(ctx)
+        ctx.text_edit_focused()
+            || self.search.is_some()
+            || self.is_choosing_figure()
+            || self.picker.has_focus(ctx)
     }
 
     /// Says for a moment what a key did.

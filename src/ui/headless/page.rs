@@ -59,12 +59,16 @@ pub(super) fn fit(harness: &mut Harness<'_, App>, figure: Option<&Figure>) {
                 resize(harness, vec2(size.x, size.x));
             }
             for _ in 0..PASSES {
-                let height = harness.ctx.content_rect().height() + more(harness);
+                let more = more(harness);
+                if more <= 0.0 {
+                    break;
+                }
                 let most = if harness.state().lacking() > 0.0 {
                     LONGEST
                 } else {
                     TALLEST
                 };
+                let height = harness.ctx.content_rect().height() + more;
                 resize(harness, vec2(size.x, height.min(most * size.x)));
             }
             cut(harness, [false, true], size);
@@ -72,7 +76,7 @@ pub(super) fn fit(harness: &mut Harness<'_, App>, figure: Option<&Figure>) {
         Cut::Both => cut(harness, [true, true], size),
     }
     if page.cut != Cut::Height {
-        hold_all(harness, page.scale() as f32);
+        hold_all(harness);
     }
 }
 
@@ -122,7 +126,8 @@ fn try_size(harness: &mut Harness<'_, App>, size: Vec2) {
 
 /// Makes a page larger that is too low for what there is to see, in the same number of pixels: a long table is better small
 /// than cut off.
-fn hold_all(harness: &mut Harness<'_, App>, scale: f32) {
+fn hold_all(harness: &mut Harness<'_, App>) {
+    let scale = harness.ctx.pixels_per_point();
     let whole = harness.ctx.content_rect().size();
     let mut factor = 1.0;
     while harness.state().lacking() > 0.0 && factor < LARGEST {

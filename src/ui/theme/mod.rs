@@ -110,6 +110,12 @@ pub const HELP_MARGIN: f32 = 80.0;
 pub const HELP_KEYS_WIDTH: f32 = 200.0;
 /// The width of the field for a path, in points.
 pub const PATH_WIDTH: f32 = 560.0;
+/// The largest size of the preview of a figure, in points.
+pub const PREVIEW: Vec2 = Vec2::new(560.0, 400.0);
+/// The width of the choices beside it, and the height of what stands above and below, in points.
+pub const CHOICES_WIDTH: f32 = 240.0;
+/// See [`CHOICES_WIDTH`].
+pub const CHROME: f32 = 60.0;
 /// The width of the search of the commands and the height of its list, in points.
 pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
 /// The height of a row of a legend, in points.

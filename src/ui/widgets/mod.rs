@@ -11,6 +11,7 @@ mod data;
 pub mod deltas;
 pub mod directions;
 pub mod draw;
+pub mod figure_dialog;
 pub mod first_steps;
 pub mod handle;
 pub mod hits;
