@@ -14,7 +14,7 @@ use brdf_explorer::ui::headless::{OnScreen, Picture, Title};
 use egui::accesskit::{Action, Role};
 use egui::{Key, Modifiers, Shape, Theme};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::files::{press, work_in};
 use super::{Folder, picture, session, window};
@@ -59,12 +59,12 @@ fn uses() -> impl Iterator<Item = Use> {
 
 /// What could be acted on in the accessibility tree, and what could be read there.
 fn controls_and_texts(harness: &Harness<'_, App>) -> (Vec<String>, BTreeSet<String>) {
-    let update = harness.output().platform_output.accesskit_update.as_ref();
     let (mut controls, mut texts) = (Vec::new(), BTreeSet::new());
-    for (_, node) in &update.unwrap().nodes {
+    for node in harness.root().children_recursive() {
+        let node = node.accesskit_node().data();
         let is_still = matches!(
             node.role(),
-            Role::Window | Role::GenericContainer | Role::Label | Role::Canvas | Role::Image
+            Role::Window | Role::Pane | Role::GenericContainer | Role::Label | Role::Canvas | Role::Image
         );
         let acts = [Action::Click, Action::Focus].map(|action| node.supports_action(action));
         if !is_still || acts.contains(&true) {
@@ -95,14 +95,19 @@ fn no_figure_has_a_control_and_each_says_what_it_shows() {
     }
 }
 
-/// The smallest text of a shape, in points.
+/// The smallest text of a shape, in points; a subscript has the size of its line.
 fn smallest(shape: &Shape) -> f32 {
     match shape {
         Shape::Vec(shapes) => shapes.iter().map(smallest).fold(f32::INFINITY, f32::min),
         Shape::Text(text) => {
             let sections = text.galley.job.sections.iter();
             let sizes = sections.map(|section| section.format.font_id.size);
-            sizes.fold(f32::INFINITY, f32::min)
+            let largest = sizes.fold(0.0, f32::max);
+            if largest > 0.0 {
+                largest
+            } else {
+                f32::INFINITY
+            }
         }
         _ => f32::INFINITY,
     }
@@ -226,7 +231,7 @@ fn curves_are_named_where_they_are() {
     }
 }
 
-/// The window of the figure of the first view.
+/// The window of the figure of the view that was opened first.
 fn dialog(folder: &Folder) -> Harness<'static, App> {
     let mut harness = window("gold");
     work_in(&mut harness, folder);
@@ -239,7 +244,7 @@ fn dialog(folder: &Folder) -> Harness<'static, App> {
 fn a_figure_is_chosen_by_keys_and_shown_before_it_is_made() {
     let folder = Folder::new("figure-dialog");
     let mut harness = dialog(&folder);
-    assert!(harness.query_by_label("Figure of Polar plot").is_some());
+    assert!(harness.query_by_label("Figure of 3D lobe").is_some());
     assert!(harness.query_by_label("Preview").is_some());
     harness.get_by_label("Slide").click();
     harness.run();

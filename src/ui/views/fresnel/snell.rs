@@ -1,6 +1,6 @@
 //! Snell's law beside the chart: its triangles, the angles, and what is reflected at the angle held.
 
-use egui::{Grid, Sense, Ui, vec2};
+use egui::{Grid, Sense, TextStyle, Ui, vec2};
 
 use super::curves::Look;
 use super::rays::Drawing;
@@ -19,7 +19,8 @@ const SPACING: egui::Vec2 = vec2(14.0, 1.0);
 /// The picture, the equation, and what is reflected at the angle held.
 pub(super) fn show(ui: &mut Ui, fresnel: &Fresnel, look: &Look<'_>) {
     let room = ui.available_size();
-    let side = room.x.min(LARGEST_SHARE * room.y);
+    let below = room.y - words_height(ui, fresnel, look);
+    let side = room.x.min(LARGEST_SHARE * room.y).min(below).max(0.0);
     let (rect, _) = ui.allocate_exact_size(vec2(room.x, side), Sense::hover());
     Drawing::new(ui, rect, fresnel, look).show();
     ui.add_space(SPACING.x);
@@ -28,6 +29,17 @@ pub(super) fn show(ui: &mut Ui, fresnel: &Fresnel, look: &Look<'_>) {
     equations(ui, fresnel, look);
     ui.add_space(SPACING.x);
     values(ui, fresnel, look);
+}
+
+/// The height of what is written below the picture, in points.
+fn words_height(ui: &Ui, fresnel: &Fresnel, look: &Look<'_>) -> f32 {
+    let row = ui.text_style_height(&TextStyle::Small) + SPACING.y;
+    let curves = fresnel.curves.len();
+    // A line of an equation may take two rows.
+    let equations = if fresnel.is_absorbing { 2 } else { 2 * curves };
+    let kinds = look.kinds().len();
+    let values = kinds + usize::from(kinds > 0) + usize::from(curves > 1);
+    row * (equations + values) as f32 + 2.0 * SPACING.x
 }
 
 /// The angles of both sides, and n sin θ, which is the same.
