@@ -64,7 +64,12 @@ fn controls_and_texts(harness: &Harness<'_, App>) -> (Vec<String>, BTreeSet<Stri
         let node = node.accesskit_node().data();
         let is_still = matches!(
             node.role(),
-            Role::Window | Role::Pane | Role::GenericContainer | Role::Label | Role::Canvas | Role::Image
+            Role::Window
+                | Role::Pane
+                | Role::GenericContainer
+                | Role::Label
+                | Role::Canvas
+                | Role::Image
         );
         let acts = [Action::Click, Action::Focus].map(|action| node.supports_action(action));
         if !is_still || acts.contains(&true) {

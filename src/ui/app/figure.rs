@@ -8,6 +8,9 @@ use super::{App, Figure, Title};
 use crate::widgets::still;
 use bxdf_study::views::Subjects;
 
+/// How far letters reach beyond the place of their text at most, in points: a coarse picture has wide pixels.
+const BLUR: f32 = 4.0;
+
 /// The title of a figure, above the view or beside it.
 pub struct Heading {
     /// The words in place of those for what is shown.
@@ -79,7 +82,7 @@ impl App {
                 && room.expand(1.0).contains_rect(*rect)
                 && !followers
                     .iter()
-                    .any(|other| other.expand(1.0).contains_rect(*rect))
+                    .any(|other| other.expand(BLUR).contains_rect(*rect))
         };
         let of_shape = |clipped: &ClippedShape| match &clipped.shape {
             Shape::Callback(_) => Rect::NOTHING,

@@ -114,6 +114,8 @@ pub const PATH_WIDTH: f32 = 560.0;
 pub const PREVIEW: Vec2 = Vec2::new(560.0, 400.0);
 /// The width of the choices beside it, and the height of what stands above and below, in points.
 pub const CHOICES_WIDTH: f32 = 240.0;
+/// The height of what is said of a size of figures there, in points.
+pub const MEANING_HEIGHT: f32 = 46.0;
 /// See [`CHOICES_WIDTH`].
 pub const CHROME: f32 = 60.0;
 /// The width of the search of the commands and the height of its list, in points.

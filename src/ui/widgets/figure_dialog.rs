@@ -77,7 +77,12 @@ fn choices(ui: &mut Ui, choice: &mut FigureChoice, title: &mut String, automatic
         }
     }
     let meaning = choice.purpose.spec().meaning;
-    ui.label(RichText::new(meaning).small().weak());
+    // What is below stays where it is, whatever is chosen.
+    let room = vec2(ui.available_width(), theme::MEANING_HEIGHT);
+    ui.allocate_ui(room, |ui| {
+        ui.set_min_size(room);
+        ui.label(RichText::new(meaning).small().weak());
+    });
     ui.add_space(6.0);
     ui.label(RichText::new("Theme").strong());
     ui.horizontal(|ui| {
