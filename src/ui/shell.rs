@@ -65,7 +65,7 @@ impl App {
 
     /// The view alone, in the whole window; of a figure with its title.
     fn show_alone(&mut self, ui: &mut Ui, view: ViewId, palette: &Palette) {
-        let margin = if self.state.is_figure {
+        let margin = if self.state.is_figure() {
             theme::FIGURE_MARGIN
         } else {
             theme::TILE_MARGIN

@@ -161,9 +161,8 @@ impl App {
     #[must_use]
     pub fn for_picture(mut self, figure: Option<&Figure>) -> Self {
         self.state.is_picture = true;
-        self.state.is_figure = figure.is_some();
         self.heading = figure.and_then(Heading::of);
-        self.state.is_titled = self.heading.is_some();
+        self.state.has_title = figure.map(|_| self.heading.is_some());
         self
     }
 

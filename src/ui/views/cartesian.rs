@@ -139,7 +139,7 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> Chart {
     };
     let mut chart = Chart::of("Cartesian plot", [x_axis(session, &options), y], series);
     chart.stems = stems;
-    chart.has_labels = cx.state.is_figure && session.materials.is_overlay();
+    chart.has_labels = cx.state.is_figure() && session.materials.is_overlay();
     if options.abscissa == Abscissa::Free {
         chart.marks =
             super::context::section_marks(session, options.own_section_deg.of(session), palette);

@@ -55,10 +55,8 @@ pub struct ViewState {
     number: u64,
     /// Whether a picture is made, in which nobody can click.
     pub(crate) is_picture: bool,
-    /// Whether it is a figure: what the pointer would tell is written there.
-    pub(crate) is_figure: bool,
-    /// Whether a title names what has no name in the view itself.
-    pub(crate) is_titled: bool,
+    /// Of a figure: whether it has a title.
+    pub(crate) has_title: Option<bool>,
     /// What scenes of the graphics processor fill in this frame: they have no shapes to be measured.
     pub(crate) filled: Option<Rect>,
     /// What measures the times of trade-offs.
@@ -138,7 +136,7 @@ impl<O> ViewContext<'_, O> {
 
     /// The names of the materials shown, above the view, where no title has them; a click selects one.
     pub(super) fn legend(&mut self, ui: &mut Ui, swatch: Swatch) {
-        if !self.state.is_titled {
+        if !self.state.is_titled() {
             legend::show(ui, swatch, self.session, self.palette);
         }
     }
@@ -286,6 +284,16 @@ impl ViewState {
         let key = (Same(Arc::clone(map)), scale);
         let memo = self.contours.entry(of).or_default();
         memo.get(key, || compute(map))
+    }
+
+    /// Whether a figure is made: what the pointer would tell is written there.
+    pub(crate) fn is_figure(&self) -> bool {
+        self.has_title.is_some()
+    }
+
+    /// Whether a title names what has no name in the view itself.
+    pub(crate) fn is_titled(&self) -> bool {
+        self.has_title == Some(true)
     }
 
     /// The picture behind a texture, if it is one of the views'.

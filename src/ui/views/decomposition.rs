@@ -86,7 +86,7 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     } else {
         room.aspect_ratio()
     };
-    let is_figure = cx.state.is_figure;
+    let is_figure = cx.state.is_figure();
     let (cells, least) = if is_figure {
         (pictures::cells_of_charts(room, parts.len()), NO_POINTER)
     } else {

@@ -137,7 +137,7 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
     let y = Axis::of_values(options.quantity(), [least, highest], None);
     let mut chart = Chart::of("Reflectance", [x, y], series);
     chart.bands = bands;
-    chart.has_labels = cx.state.is_figure && is_overlay;
+    chart.has_labels = cx.state.is_figure() && is_overlay;
     chart.has_names = options.split != Split::Total;
     let (level, name) = if is_furnace {
         (0.0, "0: nothing is lost")

@@ -37,6 +37,7 @@ pub fn body_font(ui: &Ui) -> FontId {
 
 /// Text on a patch of background, so that it stays readable over lines. It is moved to stay inside the clip rectangle.
 /// Returns where it stands.
+#[expect(clippy::must_use_candidate, reason = "most only want it to be drawn")]
 pub fn haloed_text(
     painter: &Painter,
     position: Pos2,

@@ -89,7 +89,7 @@ fn show_material(
         let width = (share * rect.width()).clamp(least, most);
         beside.min.x = rect.right() - width;
         plot.max.x = beside.min.x - GAP;
-    } else if rect.size().min(ROOM_FOR_WORDS) != ROOM_FOR_WORDS && !cx.state.is_figure {
+    } else if rect.size().min(ROOM_FOR_WORDS) != ROOM_FOR_WORDS && !cx.state.is_figure() {
         chart.leave_out_words();
     } else if fresnel.curves.len() > 1 && rect.size().min(ROOM_FOR_MARKS) != ROOM_FOR_MARKS {
         chart.marks.iter_mut().for_each(|mark| mark.name.clear());

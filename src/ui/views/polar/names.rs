@@ -33,7 +33,7 @@ impl Canvas<'_> {
         plotted: &[Plotted],
         taken: Vec<Rect>,
     ) {
-        if !cx.state.is_figure || plotted.len() < 2 {
+        if !cx.state.is_figure() || plotted.len() < 2 {
             return;
         }
         let (session, palette) = (&*cx.session, cx.palette);

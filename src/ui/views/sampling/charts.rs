@@ -151,7 +151,7 @@ pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let y = Axis::of_values("share of the samples", [0.0, highest], None);
     let mut chart = Chart::of("Weights", [x, y], series);
     chart.bands = bands;
-    chart.has_labels = cx.state.is_figure && studies.len() > 1;
+    chart.has_labels = cx.state.is_figure() && studies.len() > 1;
     ui.label(RichText::new(texts.join("     ")).small().weak());
     let shown = chart.show(ui, None, cx.palette);
     if let Some([x, _]) = chart.pointed(&shown) {
