@@ -9,6 +9,9 @@ use bxdf_study::export::figure::Cut;
 /// What fills this share of its room, fills it.
 const FULL: f32 = 0.94;
 
+/// What fills this share of the height of its room is as high as that lets it be, but for a margin.
+const HIGH: f32 = 0.8;
+
 /// In a room of a slide of which less of the width than this is filled, the title has its place beside the view.
 const NARROW: f32 = 0.72;
 
@@ -56,7 +59,7 @@ pub(super) fn fit(harness: &mut Harness<'_, App>, figure: Option<&Figure>) {
         Cut::Height => {
             if harness.state().shows_several_apart() {
                 // Pictures of several materials stand below one another too.
-                resize(harness, vec2(size.x, size.x));
+                resize(harness, vec2(size.x, TALLEST * size.x));
             }
             for _ in 0..PASSES {
                 let more = more(harness);
@@ -86,7 +89,7 @@ fn more(harness: &Harness<'_, App>) -> f32 {
     let is_narrow = seen.x < FULL * room.x;
     if app.lacking() > 0.0 {
         app.lacking()
-    } else if is_narrow && (app.has_scene() || seen.y > FULL * room.y) {
+    } else if is_narrow && (app.has_scene() || seen.y > HIGH * room.y) {
         room.y * (room.x / seen.x - 1.0)
     } else {
         0.0

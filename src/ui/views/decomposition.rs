@@ -25,8 +25,8 @@ const ASPECT: f32 = 1.5;
 /// Smaller charts have room for their curves only, in points.
 const ROOM_FOR_WORDS: egui::Vec2 = egui::vec2(230.0, 150.0);
 
-/// The same in a figure, where no pointer reads them out.
-const NO_POINTER: egui::Vec2 = egui::vec2(150.0, 145.0);
+/// In a figure, where no pointer reads them out: charts of a smaller area, in square points.
+const AREA_FOR_WORDS: f32 = 24_000.0;
 
 /// The names of the factors at the screen: D is shown over its peak, which differs by orders of magnitude.
 const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
@@ -87,15 +87,22 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         room.aspect_ratio()
     };
     let is_figure = cx.state.is_figure();
-    let (cells, least) = if is_figure {
-        (pictures::cells_of_charts(room, parts.len()), NO_POINTER)
+    let cells = if is_figure {
+        pictures::cells_of_charts(room, parts.len())
     } else {
-        (pictures::cells(room, parts.len(), aspect), ROOM_FOR_WORDS)
+        pictures::cells(room, parts.len(), aspect)
+    };
+    let has_room = |picture: Rect| {
+        if is_figure {
+            picture.area() >= AREA_FOR_WORDS
+        } else {
+            picture.size().min(ROOM_FOR_WORDS) == ROOM_FOR_WORDS
+        }
     };
     for (cell, (entry, decomposition)) in cells.into_iter().zip(&parts) {
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
         let mut chart = lobes_chart(&name, decomposition, (cx.session, cx.options), cx.palette);
-        if cell.picture.size().min(least) != least {
+        if !has_room(cell.picture) {
             chart.leave_out_words();
         }
         show_chart(ui, cx, (&chart, cell.picture), *entry);
