@@ -10,11 +10,15 @@ use bxdf::error::{Error, Result, shown};
 use bxdf_lab::analysis::Hold;
 use bxdf_study::colors::Theme;
 use bxdf_study::export::Format;
+use bxdf_study::export::figure::{USES, Use};
 use bxdf_study::session::{Materials, Session, ViewId, wrapped_deg};
 use bxdf_study::views::{self, ViewKind, tradeoff};
 
 /// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
 const MAX_PIXELS: u32 = 8192;
+
+/// The size of the window in points, where none is given.
+const WINDOW: [u32; 2] = [1280, 800];
 
 /// The pixels per point that are accepted: text is illegible below, and no screen is finer.
 const SCALE_RANGE: std::ops::RangeInclusive<f64> = 0.25..=8.0;
@@ -40,18 +44,16 @@ pub struct Arguments {
     /// The view to show alone
     #[arg(long, value_name = "ID")]
     view: Option<String>,
-    /// The size of the window in points
-    #[arg(
-        long,
-        value_name = "WxH",
-        value_parser = size,
-        default_value = "1280x800"
-    )]
-    size: [u32; 2],
-    /// Pixels per point
-    #[arg(long, value_parser = scale, default_value = "1")]
-    scale: f64,
-    /// The theme: dark or light
+    /// What for: slide (1920x1080 pixels), column (88 mm wide), web (at most 640x400 points at 2 pixels each), or screen, as the window has it
+    #[arg(long, value_name = "USE", value_parser = figure)]
+    figure: Option<Use>,
+    /// The size in points of the window, or of the view on the screen [default: 1280x800]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
+    /// Pixels per point [default: 1]
+    #[arg(long, value_parser = scale)]
+    scale: Option<f64>,
+    /// The theme: dark or light [default: light for slide, column and web, else dark]
     #[arg(long, value_parser = theme)]
     theme: Option<Theme>,
     /// The file to write: a .png of `render`; of `export` the end of its name says what: png, svg, csv, obj, gltf, toml
@@ -72,9 +74,11 @@ pub struct RenderArgs {
     pub direction_deg: Option<[f64; 2]>,
     /// The id of the view to show alone, not yet looked up.
     pub view: Option<String>,
-    /// Width and height in points, above 0.
+    /// What the picture is for, where that is said.
+    pub figure: Option<Use>,
+    /// Width and height in points, above 0; without meaning where the figure has a page of its own.
     pub size: [u32; 2],
-    /// Pixels per point, above 0.
+    /// Pixels per point, above 0; as the size.
     pub scale: f64,
     /// The theme.
     pub theme: Option<Theme>,
@@ -95,8 +99,24 @@ impl Arguments {
     /// The request, with the limits that concern several arguments checked.
     ///
     /// # Errors
-    /// [`Error::Limit`] where the picture would be empty or larger than 8192 pixels to a side.
+    /// [`Error::Limit`] where the picture would be empty or larger than 8192 pixels to a side; [`Error::Parse`] where a figure
+    /// that has a size is given another one.
     pub fn request(&self) -> Result<RenderArgs> {
+        let given = [
+            ("--size", self.size.is_some()),
+            ("--scale", self.scale.is_some()),
+        ];
+        let sized = self
+            .figure
+            .map(Use::spec)
+            .filter(|spec| spec.page.is_some());
+        let other = given.into_iter().find(|(_, is_given)| *is_given);
+        if let (Some(spec), Some((argument, _))) = (sized, other) {
+            return Err(Error::parse(
+                format!("--figure {}", spec.id),
+                format!("it has a size of its own: {argument} goes with --figure screen only"),
+            ));
+        }
         let request = RenderArgs {
             session: self.session.clone(),
             materials: self
@@ -109,8 +129,9 @@ impl Arguments {
                 .direction
                 .map(|angles| [angles.theta_deg, angles.phi_deg]),
             view: self.view.clone(),
-            size: self.size,
-            scale: self.scale,
+            figure: self.figure,
+            size: self.size.unwrap_or(WINDOW),
+            scale: self.scale.unwrap_or(1.0),
             theme: self.theme,
             output: self.output.clone(),
         };
@@ -137,6 +158,15 @@ impl Arguments {
 pub(super) fn run(request: &RenderArgs) -> Result<()> {
     require_png(&request.output)?;
     let (session, view) = chosen(request, None)?;
+    if view.is_none()
+        && let Some(spec) = request.figure.map(Use::spec)
+        && spec.page.is_some()
+    {
+        return Err(Error::parse(
+            format!("--figure {}", spec.id),
+            "a figure is of one view: name it with --view",
+        ));
+    }
     let bytes = drawn(request, session, view, Format::Png)?;
     super::output::write(&request.output, &bytes)
 }
@@ -152,12 +182,24 @@ pub(super) fn drawn(
     view: Option<ViewId>,
     format: Format,
 ) -> Result<Vec<u8>> {
-    let picture = bxdf_ui::headless::Picture {
-        session,
-        only: view,
-        size: request.size,
-        scale: request.scale as f32,
-        theme: bxdf_ui::theme::as_drawn(request.theme.unwrap_or_default()),
+    use bxdf_ui::headless::{OnScreen, Picture, Title};
+
+    let purpose = request.figure.unwrap_or(Use::Screen);
+    let theme = request.theme.unwrap_or(purpose.theme());
+    let (size, scale) = (request.size, request.scale as f32);
+    let picture = match view.filter(|_| purpose != Use::Screen) {
+        Some(view) => {
+            let screen = OnScreen { size, scale };
+            Picture::of_figure(session, view, (purpose, Title::Automatic, theme), screen)
+        }
+        None => Picture {
+            session,
+            only: view,
+            size,
+            scale,
+            theme: bxdf_ui::theme::as_drawn(theme),
+            figure: None,
+        },
     };
     bxdf_ui::export::bytes(picture, format)
 }
@@ -238,6 +280,11 @@ fn theme(text: &str) -> Result<Theme> {
     )
 }
 
+fn figure(text: &str) -> Result<Use> {
+    let all = USES.each_ref().map(|spec| (spec.id, spec.purpose));
+    args::choice("figure", text, &all)
+}
+
 fn size(text: &str) -> Result<[u32; 2]> {
     let problem = || {
         Error::parse(
@@ -283,104 +330,4 @@ fn require_png(path: &Path) -> Result<()> {
 }
 
 #[cfg(test)]
-mod tests {
-    use clap::{CommandFactory as _, FromArgMatches as _, Parser};
-
-    use super::super::with_hyphens;
-    use super::*;
-
-    #[derive(Parser, Debug)]
-    struct Line {
-        #[command(flatten)]
-        arguments: Arguments,
-    }
-
-    fn parse(line: &str) -> std::result::Result<RenderArgs, String> {
-        let words = std::iter::once("render").chain(line.split_whitespace());
-        let command = with_hyphens(Line::command());
-        let line = command
-            .try_get_matches_from(words)
-            .and_then(|matches| Line::from_arg_matches(&matches))
-            .map_err(|error| error.to_string())?;
-        line.arguments.request().map_err(|error| error.to_string())
-    }
-
-    #[test]
-    fn everything_has_a_default_but_the_picture() {
-        let request = parse("-o start.PNG").unwrap();
-        let expected = RenderArgs {
-            session: None,
-            materials: Vec::new(),
-            hold: None,
-            direction_deg: None,
-            view: None,
-            size: [1280, 800],
-            scale: 1.0,
-            theme: None,
-            output: "start.PNG".into(),
-        };
-        assert_eq!(request, expected);
-        assert!(parse("").unwrap_err().contains("-o"));
-    }
-
-    #[test]
-    fn every_argument_is_read() {
-        let request = parse(
-            "--session s.toml --material oren_nayar:sigma=30 --material rough_conductor --hold wo \
-             --direction 60,-30 --view polar --size 1024x640 --scale 1.5 --theme light -o out/a.png",
-        )
-        .unwrap();
-        assert_eq!(request.session, Some("s.toml".into()));
-        let materials: Vec<String> = request.materials.iter().map(ToString::to_string).collect();
-        assert_eq!(materials, ["oren_nayar:sigma=30", "rough_conductor"]);
-        assert_eq!(request.hold, Some(Hold::Viewer));
-        assert_eq!(request.direction_deg, Some([60.0, -30.0]));
-        assert_eq!(request.view.as_deref(), Some("polar"));
-        assert_eq!(request.pixels(), [1536, 960]);
-        assert_eq!(request.theme, Some(Theme::Light));
-        assert_eq!(request.output, PathBuf::from("out/a.png"));
-    }
-
-    #[test]
-    fn bad_arguments_are_refused() {
-        for (line, expected) in [
-            (
-                "--size 0",
-                "size '0': expected WxH in points, each 1 to 8192",
-            ),
-            ("--size 0x10", "expected WxH in points"),
-            ("--size 10x", "expected WxH in points"),
-            ("--size 9000x10", "expected WxH in points"),
-            ("--size -5x10", "expected WxH in points"),
-            (
-                "--size 8000x10 --scale 2",
-                "the picture is 16000x20 pixels; the limit is 1 to 8192 to a side",
-            ),
-            ("--size 1x1 --scale .25", "the picture is 0x0 pixels"),
-            (
-                "--scale 0",
-                "scale '0': expected 0.25 to 8 pixels per point",
-            ),
-            ("--scale nan", "expected 0.25 to 8"),
-            ("--scale -1", "expected 0.25 to 8"),
-            ("--theme dusk", "unknown theme 'dusk'; nearest: dark, light"),
-            (
-                "--hold wm",
-                "unknown direction to hold 'wm'; nearest: wi, wo",
-            ),
-            (
-                "--direction 200,0",
-                "theta '200': expected 0 to 180 degrees",
-            ),
-            (
-                "--material plastre",
-                "unknown material 'plastre'; nearest: plast",
-            ),
-        ] {
-            let message = parse(&format!("{line} -o a.png")).unwrap_err();
-            assert!(message.contains(expected), "{line}: {message}");
-        }
-        let refused = require_png(Path::new("a.jpg")).unwrap_err().to_string();
-        assert!(refused.contains("ends in .png"), "{refused}");
-    }
-}
+mod tests;

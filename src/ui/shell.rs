@@ -2,33 +2,52 @@
 
 use std::path::PathBuf;
 
-use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, Ui};
+use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, Ui, UiBuilder};
 
-use super::app::App;
 use super::app::left::Left;
+use super::app::{App, Heading};
 use super::commands::{self, COMMANDS, Command, Group, OPEN, help, search};
 use super::theme::{self, Palette};
 use super::tiles::Wish;
-use super::views::{self, ViewContext};
+use super::views::{self, ViewContext, heading};
 use super::widgets::bottom::{Bar, presented};
 use super::widgets::search::Outcome;
 use super::widgets::shares::Energy;
-use super::widgets::{layouts, options};
+use super::widgets::{layouts, options, still};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{SHARES, ViewId};
+use bxdf_study::views::Options;
 
 impl App {
     fn show_view(&mut self, ui: &mut Ui, view: ViewId, palette: &Palette) {
-        // Its options are taken out of the session meanwhile: views change that too.
-        let Some(mut options) = self.session.views.get(view).cloned() else {
-            return;
-        };
         let is_pressed = ui.input(|input| input.pointer.any_pressed());
         if is_pressed && ui.rect_contains_pointer(ui.max_rect()) {
             self.clicked = Some(view);
         }
-        self.answers.asked_by(Some(view));
+        self.note_size(view, ui.max_rect().size());
         let mark = self.mark(ui.ctx());
+        let factor = 0.01 * f32::from(self.labels.percent());
+        self.with_view(view, palette, mark, |cx, options| {
+            ui.push_id((options.kind().id, view), |ui| {
+                theme::enlarge_labels(ui.style_mut(), factor);
+                views::show(ui, cx, options);
+            });
+        });
+    }
+
+    /// Hands out what a view draws with, and its options. `mark`: the direction marked in it.
+    fn with_view(
+        &mut self,
+        view: ViewId,
+        palette: &Palette,
+        mark: Option<(Cursor, f32)>,
+        draw: impl FnOnce(&mut ViewContext<'_>, &mut Options),
+    ) {
+        // Its options are taken out of the session meanwhile: views change that too.
+        let Some(mut options) = self.session.views.get(view).cloned() else {
+            return;
+        };
+        self.answers.asked_by(Some(view));
         let mut cx = ViewContext {
             view,
             session: &mut self.session,
@@ -40,17 +59,52 @@ impl App {
             pointed: &mut self.pointed,
             palette,
         };
-        let factor = 0.01 * f32::from(self.labels.percent());
-        ui.push_id((options.kind().id, view), |ui| {
-            theme::enlarge_labels(ui.style_mut(), factor);
-            views::show(ui, &mut cx, &mut options);
-        });
+        draw(&mut cx, &mut options);
         self.answers.asked_by(None);
         if let Some(own) = self.session.views.get_mut(view)
             && *own != options
         {
             *own = options;
         }
+    }
+
+    /// The view alone, in the whole window; of a figure with its title.
+    fn show_alone(&mut self, ui: &mut Ui, view: ViewId, palette: &Palette) {
+        let margin = if self.state.is_figure() {
+            theme::FIGURE_MARGIN
+        } else {
+            theme::TILE_MARGIN
+        };
+        let frame = egui::Frame::NONE
+            .fill(palette.background)
+            .inner_margin(margin);
+        CentralPanel::no_frame().frame(frame).show(ui, |ui| {
+            if self.state.is_picture {
+                still::make(ui);
+            }
+            let mut room = ui.available_rect_before_wrap();
+            if let Some(Heading { own, beside }) = self.heading.take() {
+                let mut place = room;
+                if let Some(width) = beside {
+                    place.set_width(width);
+                }
+                let mut above = ui.new_child(UiBuilder::new().max_rect(place).id_salt("title"));
+                self.with_view(view, palette, None, |cx, options| {
+                    heading::show(&mut above, cx, options, own.as_deref());
+                });
+                match beside {
+                    Some(width) => room.min.x += width + theme::FIGURE_GAP,
+                    None => room.min.y = above.min_rect().bottom() + theme::FIGURE_GAP,
+                }
+                self.heading = Some(Heading { own, beside });
+            }
+            self.room_of_views = room;
+            let mut ui = ui.new_child(UiBuilder::new().max_rect(room).id_salt("view"));
+            ui.set_clip_rect(room.expand(margin).intersect(ui.clip_rect()));
+            self.show_view(&mut ui, view, palette);
+            self.lacking = (ui.min_rect().bottom() - room.bottom()).max(0.0);
+        });
+        self.keep_scenes(ui);
     }
 
     /// The bar at the top: the menu of files, the arrangements, and what is of the whole window.
@@ -154,6 +208,7 @@ impl App {
 
     /// The windows above all else: the help, the search of the commands, and what a key did, over the `views`.
     fn show_windows(&mut self, ctx: &Context, views: Rect) {
+        self.show_figure_dialog(ctx);
         self.show_path_field(ctx);
         if self.is_help_shown {
             self.is_help_shown = help::show(ctx);
@@ -227,7 +282,8 @@ impl App {
         let asked = self.state.take_wished_file();
         let asked = asked.map(|(view, format)| (view, Wish::Export(format)));
         match shown.wished.or(asked) {
-            Some((view, Wish::Export(format))) => self.ask_export(view, format),
+            Some((view, Wish::Export(format))) => self.ask_export_of(view, format),
+            Some((view, Wish::Figure)) => self.choose_figure(view),
             Some((view, Wish::CopyPicture)) => self.copy_picture(view, ui.ctx()),
             Some((view, Wish::Duplicate)) => self.duplicate_view(view),
             Some((view, Wish::OwnSection)) => self.switch_own_section(view),
@@ -257,12 +313,7 @@ impl eframe::App for App {
         self.state.begin_frame(&self.session);
         let before = self.cursor;
         if let Some(view) = self.only {
-            let frame = egui::Frame::NONE
-                .fill(palette.background)
-                .inner_margin(theme::TILE_MARGIN);
-            CentralPanel::no_frame()
-                .frame(frame)
-                .show(ui, |ui| self.show_view(ui, view, &palette));
+            self.show_alone(ui, view, &palette);
             self.point(ui.ctx(), before);
             return;
         }

@@ -17,6 +17,8 @@ use bxdf_study::views::{Options, ViewKind};
 /// What is to be made of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wish {
+    /// A figure, which is chosen first.
+    Figure,
     /// A file.
     Export(Format),
     /// A picture in the clipboard.
@@ -250,6 +252,11 @@ fn tab_menu(ui: &mut Ui, views: &Views, view: ViewId) -> Option<Wish> {
 fn export_menu(ui: &mut Ui, view: &ViewKind, title: &str) -> Option<Wish> {
     let mut wished = None;
     let menu = ui.menu_button(RichText::new("Export").small(), |ui| {
+        let hint =
+            "Choose size, theme and title of a figure of this view, and see how it will look";
+        if ui.button("Figure…").on_hover_text(hint).clicked() {
+            wished = Some(Wish::Figure);
+        }
         let hint = "Copy the picture that would be exported";
         if ui.button("Copy picture").on_hover_text(hint).clicked() {
             wished = Some(Wish::CopyPicture);

@@ -306,7 +306,16 @@ fn a_drawing_has_every_shape_that_is_painted_and_no_other() {
             let harness = picture.shapes();
             let shapes: &[ClippedShape] = &harness.output().shapes;
             let image_of = |id| harness.state().image(id);
-            let drawing = svg::drawing(shapes, page.size(), Color32::WHITE, &image_of).unwrap();
+            let sheet = svg::Page {
+                size: page.size(),
+                print_width_mm: None,
+                background: Color32::WHITE,
+            };
+            let pictures = svg::Pictures {
+                of_texture: &image_of,
+                of_scene: &|_| None,
+            };
+            let drawing = svg::drawing(shapes, sheet, pictures).unwrap();
             let is_picture = |id| image_of(id).is_some();
             let visible = shapes.iter().filter_map(|clipped| {
                 let clip = clipped.clip_rect.intersect(page);

@@ -234,10 +234,6 @@ fn what_cannot_be_exported_is_said_in_a_line() {
             "view 'lobe3d': nothing to show: All light is in Dirac deltas",
         ),
         (
-            vec!["--view", "lobe3d", "-o", &path("a.svg")],
-            "a mesh has no drawing",
-        ),
-        (
             vec!["--material", "specular_reflection", "-o", &path("a.obj")],
             "no mesh: All light is in Dirac deltas",
         ),

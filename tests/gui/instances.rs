@@ -136,6 +136,7 @@ fn file(shown: &Session, view: ViewId, format: Format) -> Vec<u8> {
         size: [480, 360],
         scale: 1.0,
         theme: Theme::Light,
+        figure: None,
     };
     export::bytes(picture, format).unwrap()
 }

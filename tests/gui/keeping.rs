@@ -13,6 +13,7 @@ use brdf_explorer::bxdf::resource::Decoded;
 use brdf_explorer::bxdf::table::{Shape, Table};
 use brdf_explorer::bxdf::{Material, Resource};
 use brdf_explorer::study::export::Format;
+use brdf_explorer::study::export::figure::Use;
 use brdf_explorer::study::platform;
 use brdf_explorer::study::session::Session;
 use brdf_explorer::study::store::{Answer, Disk, Files, Found};
@@ -24,7 +25,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::files::{press, read, titles, work_in, work_on};
-use super::{Folder, material, picture, session, show_decades, window, window_of};
+use super::{Folder, material, session, show_decades, window, window_of};
 
 /// More than reading takes, on any machine.
 const PATIENCE: Duration = Duration::from_mins(2);
@@ -150,14 +151,13 @@ fn a_picture_is_copied_as_its_file_holds_it() {
         assert!(begin.elapsed() < PATIENCE);
         std::thread::sleep(Duration::from_millis(5));
     };
-    let shown = picture(session(&["gold"]), Some("polar"), [960, 720], Theme::Dark);
-    let file = brdf_explorer::ui::headless::Picture {
-        scale: 2.0,
-        ..shown
-    };
-    let file = export::bytes(file, Format::Png).unwrap();
+    let figure = super::figures::figure(session(&["gold"]), "polar", Use::Web, Theme::Light);
+    let file = export::bytes(figure, Format::Png).unwrap();
     let file = image::load_from_memory(&file).unwrap().into_rgba8();
-    assert_eq!(copied.size, [1920, 1440]);
+    assert_eq!(
+        copied.size,
+        [file.width(), file.height()].map(|side| side as usize)
+    );
     let bytes: Vec<u8> = copied
         .pixels
         .iter()

@@ -15,6 +15,7 @@ mod deltas;
 mod directions;
 mod drawing;
 mod export;
+mod figures;
 mod files;
 mod fresnel;
 mod gestures;
@@ -133,6 +134,7 @@ fn picture(mut session: Session, view: Option<&str>, size: [u32; 2], theme: Them
         size,
         scale: 1.0,
         theme,
+        figure: None,
     }
 }
 

@@ -35,13 +35,13 @@ pub static FORMATS: [FormatSpec; 6] = [
         format: Format::Png,
         extension: "png",
         title: "Picture (PNG)",
-        meaning: "This view as a picture, at twice the size of the screen",
+        meaning: "This view as a picture, in the size chosen for figures",
     },
     FormatSpec {
         format: Format::Svg,
         extension: "svg",
         title: "Drawing (SVG)",
-        meaning: "This view as a drawing for print: lines stay lines, text stays text",
+        meaning: "This view as a drawing for print: lines stay lines, text stays text; a surface in it is a picture",
     },
     FormatSpec {
         format: Format::Csv,
@@ -68,6 +68,14 @@ pub static FORMATS: [FormatSpec; 6] = [
         meaning: "The selected material as a file that can be opened here",
     },
 ];
+
+impl Format {
+    /// Whether it shows the view as it is seen, so that it is a figure.
+    #[must_use]
+    pub const fn is_picture(self) -> bool {
+        matches!(self, Self::Png | Self::Svg)
+    }
+}
 
 /// The kind of file that ends in `extension`, whatever its case.
 #[must_use]

@@ -8,6 +8,7 @@ use bxdf::error::{Error, Result};
 use bxdf::material::file as material_file;
 use bxdf_lab::analysis::deltas::Arrows;
 
+pub mod figure;
 mod format;
 pub mod mesh;
 pub mod names;

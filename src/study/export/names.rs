@@ -18,6 +18,13 @@ pub const CHANNELS: [(Channel, &str); 4] = [
     (Channel::Luminance, "luminance"),
 ];
 
+/// A quantity with its unit, at the screen; a number without one has none.
+#[must_use]
+pub(crate) fn with_unit(quantity: &str, unit: &str) -> String {
+    let words = [quantity, unit].into_iter().filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join(", ")
+}
+
 /// What the values of a view are called.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Names {

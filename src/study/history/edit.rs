@@ -344,7 +344,7 @@ mod tests {
         let hemisphere = views::find("hemisphere").unwrap();
         let open = |s: &mut Session| s.views.add(hemisphere, [900.0, 600.0]).map(|_| ()).unwrap();
         assert_eq!(said(open), "Undo layout: open Hemisphere");
-        let compare = |s: &mut Session| s.views.show_ready(&READY_LAYOUTS[1]);
+        let compare = |s: &mut Session| s.views.show_ready(&READY_LAYOUTS[1], [1280.0, 720.0]);
         assert_eq!(said(compare), "Undo layout: arrangement Compare");
         assert_eq!(said(|s| s.camera.orbit([20.0, 3.0])), "Undo camera: orbit");
         assert_eq!(said(|s| s.camera.zoom(2.0)), "Undo camera: zoom");

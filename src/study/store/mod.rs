@@ -6,6 +6,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::colors::Theme;
+use super::export::figure::FigureChoice;
 use super::parallel::Pool;
 use super::session::{Opened, Session};
 #[cfg(doc)]
@@ -29,7 +30,7 @@ pub use own::{Keeping, News, Restored};
 pub use partial::{Partial, abandon_partial};
 pub use window::WindowPlace;
 
-/// The files opened last, the theme, and how the window stands, in the folder of the program's data.
+/// The files opened last, the theme, how the window stands and how figures are made, in the folder of the program's data.
 const PREFERENCES: &str = "preferences.toml";
 
 /// How many recent files are kept.
@@ -65,6 +66,8 @@ struct Preferences {
     labels: LabelSize,
     /// Where the window stood.
     window: Option<WindowPlace>,
+    /// How figures are made.
+    figure: FigureChoice,
 }
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
@@ -289,6 +292,20 @@ impl Store {
     pub fn keep_side(&mut self, side: Side) {
         if self.preferences.side != side {
             self.preferences.side = side;
+            self.keep_preferences();
+        }
+    }
+
+    /// How figures were made last.
+    #[must_use]
+    pub fn figure(&self) -> FigureChoice {
+        self.preferences.figure
+    }
+
+    /// Keeps how figures are made.
+    pub fn keep_figure(&mut self, figure: FigureChoice) {
+        if self.preferences.figure != figure {
+            self.preferences.figure = figure;
             self.keep_preferences();
         }
     }

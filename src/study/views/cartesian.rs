@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::scale::Scale;
 use super::section::OwnSection;
@@ -121,6 +122,23 @@ impl Options {
         }
     }
 
+    /// What is drawn upwards, with its unit.
+    #[must_use]
+    pub fn quantity(&self, session: &Session) -> String {
+        let quantity = if session.with_cosine {
+            "f |cos θ|"
+        } else {
+            "f"
+        };
+        let reference = session.materials.title(session.materials.reference());
+        match (self.is_residual, self.scale.is_each_to_peak) {
+            (false, false) => format!("{quantity} (1/sr)"),
+            (false, true) => format!("{quantity} over its peak"),
+            (true, false) => format!("{quantity} less that of {reference} (1/sr)"),
+            (true, true) => format!("{quantity} less that of {reference}, over its peak"),
+        }
+    }
+
     /// What the values are called.
     fn names(&self, session: &Session) -> Names {
         let is_logarithmic = self.request(session).scale.is_logarithmic();
@@ -140,6 +158,14 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, session: &Session) -> Caption {
+        Caption::of(self.quantity(session)).at(if self.is_of_held() {
+            Directions::Both
+        } else {
+            Directions::None
+        })
+    }
+
     fn is_of_held(&self) -> bool {
         self.abscissa == Abscissa::Free
     }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Subjects, value_of_f};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
 use super::words::words;
@@ -71,6 +72,13 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, session: &Session) -> Caption {
+        match self.into {
+            Decomposed::Lobes => Caption::of(value_of_f(session)).naming(Subjects::Apart),
+            Decomposed::Factors => Caption::of("the factors D, G and F").naming(Subjects::Colors),
+        }
+    }
+
     fn own_section(&mut self) -> Option<&mut OwnSection> {
         Some(&mut self.own_section_deg)
     }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
 use crate::answers::Answers;
@@ -189,6 +190,12 @@ fn cells(all: &Reflectances) -> [f64; REFLECTANCES.len()] {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        Caption::of("reflectance of a smooth interface")
+            .naming(Subjects::Apart)
+            .at(Directions::Held)
+    }
+
     fn is_of_held(&self) -> bool {
         false
     }

@@ -2,9 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Subjects};
 use super::kind::{Deltas, MAP_SIZE, TableKind, ViewKind, ViewOptions};
 use crate::answers::Answers;
-use crate::export::names::Names;
+use crate::export::names::{self, Names};
 use crate::export::table::{Table, shown};
 use crate::session::Session;
 use bxdf_lab::analysis::hemisphere::{Comparison, Projection, Quantity, Request};
@@ -65,6 +66,17 @@ impl Options {
         }
     }
 
+    /// What the colours mean, with the unit.
+    #[must_use]
+    pub fn quantity_name(&self) -> String {
+        let (title, unit) = (self.quantity.title(), self.quantity.unit());
+        match self.comparison {
+            Comparison::Ratio => format!("ratio of {title}"),
+            Comparison::Difference => names::with_unit(&format!("difference of {title}"), unit),
+            Comparison::None => names::with_unit(title, unit),
+        }
+    }
+
     /// What the values are called.
     fn names(self) -> Names {
         let quantity = self.quantity;
@@ -91,6 +103,10 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        Caption::of(self.quantity_name()).naming(Subjects::Apart)
+    }
+
     /// The pixels of the disc, and the deltas on its side.
     fn table(&self, session: &Session, answers: &mut Answers) -> Table {
         let columns = ["material", "w_x", "w_y", "w_z"];

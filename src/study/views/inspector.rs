@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
+use crate::session::Session;
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "inspector",
@@ -21,4 +23,8 @@ pub(super) const KIND: ViewKind = ViewKind {
 #[serde(default, deny_unknown_fields)]
 pub struct Options {}
 
-impl ViewOptions for Options {}
+impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        Caption::of("values at one pair of directions").naming(Subjects::Colors)
+    }
+}

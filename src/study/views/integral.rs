@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use crate::answers::Answers;
 use crate::export::names::{self, Names};
@@ -80,7 +81,24 @@ impl Options {
     }
 }
 
+impl Options {
+    /// What is summed, with its unit.
+    #[must_use]
+    pub fn quantity_name(&self) -> String {
+        names::with_unit(self.integrand.title(), self.integrand.unit())
+    }
+}
+
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        let caption = Caption::of(format!("sum of {}", self.quantity_name()));
+        if self.is_of_held() {
+            caption.naming(Subjects::Apart).at(Directions::Held)
+        } else {
+            caption.naming(Subjects::None).at(Directions::None)
+        }
+    }
+
     fn is_of_held(&self) -> bool {
         self.integrand.is_of_surface()
     }

@@ -1,5 +1,6 @@
 //! What a kind of view says of itself, and of the options of its instances.
 
+use super::caption::Caption;
 use super::scale::{Arrangement, Scale};
 use super::section::OwnSection;
 use crate::answers::Answers;
@@ -28,7 +29,7 @@ pub struct ViewKind {
     pub with_cosine: bool,
     /// The numbers behind it: those of [`ViewOptions::table`].
     pub table: TableKind,
-    /// Whether it is drawn by the graphics processor, so that it has no lines to export.
+    /// Whether it shows the lobes as meshes, which have files of their own.
     pub is_mesh: bool,
 }
 
@@ -59,8 +60,7 @@ impl ViewKind {
     #[must_use]
     pub fn has_file(&self, format: Format) -> bool {
         match format {
-            Format::Png | Format::Toml => true,
-            Format::Svg => !self.is_mesh,
+            Format::Png | Format::Svg | Format::Toml => true,
             Format::Csv => self.table != TableKind::None,
             Format::Obj | Format::Gltf => self.is_mesh,
         }
@@ -69,6 +69,9 @@ impl ViewKind {
 
 /// What the options of a kind of view say of themselves.
 pub trait ViewOptions: Default {
+    /// What the title of a figure says of the view.
+    fn caption(&self, session: &Session) -> Caption;
+
     /// Whether the view, with these options, shows what becomes of the held direction.
     fn is_of_held(&self) -> bool {
         true

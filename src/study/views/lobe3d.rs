@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Subjects, value_of_f};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::scale::{Arrangement, Scale};
 use crate::answers::Answers;
@@ -48,6 +49,10 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, session: &Session) -> Caption {
+        Caption::of(value_of_f(session)).naming(self.arrangement.subjects(Subjects::Colors))
+    }
+
     fn radial_scale(&mut self) -> Option<&mut Scale> {
         Some(&mut self.scale)
     }

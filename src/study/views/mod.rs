@@ -8,6 +8,7 @@ use crate::number::Numbers;
 use crate::session::Session;
 use bxdf::error::{Error, Result};
 
+mod caption;
 pub mod cartesian;
 pub mod decomposition;
 pub mod fresnel;
@@ -27,6 +28,7 @@ pub mod stability;
 pub mod tradeoff;
 mod words;
 
+pub use caption::{Caption, Directions, Subjects, value_of_f};
 pub use kind::{Deltas, TableKind, ViewKind, ViewOptions};
 pub use scale::{Arrangement, DECADES, Scale, ScaleChoice};
 pub use section::{OWN_SECTION, OwnSection};
@@ -81,6 +83,14 @@ macro_rules! list {
             pub fn is_of_held(&self) -> bool {
                 match self {
                     $(Self::$id(options) => options.is_of_held(),)*
+                }
+            }
+
+            /// See [`ViewOptions::caption`].
+            #[must_use]
+            pub fn caption(&self, session: &Session) -> Caption {
+                match self {
+                    $(Self::$id(options) => options.caption(session),)*
                 }
             }
 

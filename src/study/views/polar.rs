@@ -2,12 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Subjects, value_of_f};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::scale::{Arrangement, Scale};
 use super::section::OwnSection;
 use crate::answers::Answers;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
+use crate::format;
 use crate::number::Numbers;
 use crate::session::Session;
 use bxdf_lab::analysis::polar::{Point, Request};
@@ -52,6 +54,14 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, session: &Session) -> Caption {
+        let section = self.own_section_deg.of(session);
+        let azimuth = format::degrees(section.azimuth_deg);
+        let value = value_of_f(session);
+        Caption::of(format!("{value} in the section at azimuth {azimuth}"))
+            .naming(self.arrangement.subjects(Subjects::Lines))
+    }
+
     fn own_section(&mut self) -> Option<&mut OwnSection> {
         Some(&mut self.own_section_deg)
     }

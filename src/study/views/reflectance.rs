@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
 use crate::answers::Answers;
@@ -46,6 +47,18 @@ pub struct Options {
     pub is_furnace: bool,
 }
 
+impl Options {
+    /// What is shown.
+    #[must_use]
+    pub fn quantity(&self) -> &'static str {
+        if self.is_furnace && self.split == Split::Total {
+            "1 - ρ, share missing"
+        } else {
+            "ρ, share that leaves"
+        }
+    }
+}
+
 /// The reflectance over the angle of incidence, at the azimuth of the held direction: a value for each degree, with a tenth
 /// of the error that a curve of its width shows.
 #[must_use]
@@ -59,6 +72,10 @@ pub fn request(session: &Session) -> CurveRequest {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        Caption::of(self.quantity()).at(Directions::Held)
+    }
+
     fn is_of_held(&self) -> bool {
         false
     }

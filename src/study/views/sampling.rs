@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
 use super::words::words;
@@ -108,6 +109,22 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        let names = match self.plot {
+            Plot::Curves => Subjects::Colors,
+            Plot::Weights => Subjects::Lines,
+            Plot::Points | Plot::Warp | Plot::Histogram | Plot::Estimators => Subjects::Apart,
+        };
+        let count = 1_u32 << self.count_log2;
+        let plot = self.plot.title();
+        let quantity = match self.plot {
+            Plot::Warp | Plot::Curves => plot.to_owned(),
+            Plot::Points => format!("{count} samples"),
+            _ => format!("{plot}, {count} samples"),
+        };
+        Caption::of(quantity).naming(names).at(Directions::Held)
+    }
+
     /// The other plots are of all directions.
     fn own_section(&mut self) -> Option<&mut OwnSection> {
         (self.plot == Plot::Curves).then_some(&mut self.own_section_deg)

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::Subjects;
 use crate::number::{NumberSpec, Numbers};
 use bxdf_lab::analysis::RadialScale;
 
@@ -144,6 +145,14 @@ impl Arrangement {
         match self {
             Self::Overlaid => "Overlaid",
             Self::SideBySide => "Side by side",
+        }
+    }
+
+    /// Where materials are named that are named so in one picture.
+    pub(super) const fn subjects(self, overlaid: Subjects) -> Subjects {
+        match self {
+            Self::Overlaid => overlaid,
+            Self::SideBySide => Subjects::Apart,
         }
     }
 

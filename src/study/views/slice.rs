@@ -2,11 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, MAP_SIZE, TableKind, ViewKind, ViewOptions};
 use super::section::OwnSection;
 use crate::answers::Answers;
 use crate::export::names::Names;
 use crate::export::table::{Table, shown};
+use crate::format;
 use crate::number::{NumberSpec, Numbers};
 use crate::session::Session;
 use bxdf_lab::analysis::Subject;
@@ -78,6 +80,13 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        let phi_d = format::degrees(self.phi_d_deg);
+        Caption::of(format!("f (1/sr) at φd {phi_d}"))
+            .naming(Subjects::Apart)
+            .at(Directions::None)
+    }
+
     fn is_of_held(&self) -> bool {
         false
     }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
 use crate::answers::Answers;
@@ -140,6 +141,15 @@ impl Options {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        let names = match self.arrangement {
+            Arrangement::Wipe => Subjects::Colors,
+            Arrangement::Grid | Arrangement::Difference => Subjects::Apart,
+        };
+        let light = self.light.title().to_lowercase();
+        Caption::of(light).naming(names).at(Directions::None)
+    }
+
     fn is_of_held(&self) -> bool {
         false
     }

@@ -3,6 +3,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
 use crate::answers::Answers;
@@ -125,6 +126,17 @@ pub fn place(session: &Session, wo: DVec3, wi: DVec3) -> Place {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        match self.plot {
+            Plot::Map => Caption::of("rounding errors in f32 and f64")
+                .naming(Subjects::Selected)
+                .at(Directions::Held),
+            Plot::Formulas => Caption::of("formulas compared")
+                .naming(Subjects::None)
+                .at(Directions::None),
+        }
+    }
+
     fn is_of_held(&self) -> bool {
         self.plot == Plot::Map
     }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use crate::answers::Answers;
 use crate::export::table::{Table, Value};
@@ -89,6 +90,12 @@ fn wanted(session: &Session) -> Vec<&'static str> {
 }
 
 impl ViewOptions for Options {
+    fn caption(&self, _: &Session) -> Caption {
+        Caption::of("relative error over cost (ns)")
+            .naming(Subjects::Selected)
+            .at(Directions::Held)
+    }
+
     fn is_of_held(&self) -> bool {
         false
     }

@@ -4,27 +4,27 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::TryRecvError;
 use std::time::Duration;
 
-use egui::Context;
+use egui::{Context, Vec2};
 
 use super::App;
-use super::exports::{Made, Making};
-use super::picture::{Maker, Picture};
+use super::exports::{Asked, Made, Making};
+use super::picture::{Maker, OnScreen, Picture, Title};
 use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
+use bxdf_study::export::figure::FigureChoice;
 use bxdf_study::export::{FORMATS, Format};
 use bxdf_study::session::ViewId;
 use bxdf_study::store::FileDialog;
 
-/// The size of an exported view, in points, and its pixels per point: legible in print.
-const SIZE: [u32; 2] = [960, 720];
-const SCALE: f32 = 2.0;
+/// How large a view is taken to be that was not on the screen yet, in points.
+const UNSEEN: Vec2 = Vec2::new(480.0, 360.0);
 
 /// How often a file that is being made is looked for, in seconds.
 const POLL: f64 = 0.1;
 
 impl App {
-    /// Asks where to export a view to.
-    pub(crate) fn ask_export(&mut self, view: ViewId, format: Format) {
+    /// Asks where to export a view to; `title`: that of a figure.
+    pub(crate) fn ask_export(&mut self, view: ViewId, format: Format, title: Title) {
         let Some(files) = &mut self.files else {
             return;
         };
@@ -40,17 +40,22 @@ impl App {
         };
         // A dialog that is open already keeps what it was opened for.
         if files.ask(FileDialog::Export(format!("{name}.{extension}"))) {
-            self.exports.asked = Some((view, format));
+            self.exports.asked = Some(Asked {
+                view,
+                format,
+                title,
+            });
         }
     }
 
     /// Begins to make the file that was asked for.
     pub(super) fn export_to(&mut self, path: &Path, ctx: &Context) {
-        let Some((view, format)) = self.exports.asked.take() else {
+        let Some(asked) = self.exports.asked.take() else {
             return;
         };
         let Some(maker) = self.maker() else { return };
-        let picture = self.picture_of(view, ctx);
+        let format = asked.format;
+        let picture = self.picture_of(asked.view, asked.title, ctx);
         let path = Some(path.to_owned());
         self.make(
             path,
@@ -60,25 +65,52 @@ impl App {
     }
 
     /// Begins to make a picture of a view for the clipboard: the one that a file of it would hold.
-    pub(crate) fn copy_picture(&mut self, view: ViewId, ctx: &Context) {
+    pub(crate) fn copy_figure(&mut self, view: ViewId, title: Title, ctx: &Context) {
         let Some(maker) = self.maker() else { return };
-        let picture = self.picture_of(view, ctx);
+        let picture = self.picture_of(view, title, ctx);
         let make = move || (maker.image)(picture).map(Made::Picture);
         self.make(None, make, ctx);
     }
 
-    fn maker(&self) -> Option<Maker> {
+    /// Asks where to export a view to, as figures were made last.
+    pub(crate) fn ask_export_of(&mut self, view: ViewId, format: Format) {
+        let title = self.title_of("");
+        self.ask_export(view, format, title);
+    }
+
+    /// Puts the figure of a view, as figures were made last, into the clipboard.
+    pub fn copy_picture(&mut self, view: ViewId, ctx: &Context) {
+        let title = self.title_of("");
+        self.copy_figure(view, title, ctx);
+    }
+
+    /// The title of a figure with these words of a person's own; none where figures have no title.
+    pub(super) fn title_of(&self, own: &str) -> Title {
+        match own.trim() {
+            _ if !self.exports.choice.has_title => Title::None,
+            "" => Title::Automatic,
+            own => Title::Own(own.to_owned()),
+        }
+    }
+
+    pub(super) fn maker(&self) -> Option<Maker> {
         self.files.as_ref().map(|files| files.maker)
     }
 
-    fn picture_of(&self, view: ViewId, ctx: &Context) -> Picture {
-        Picture {
-            session: self.session.clone(),
-            only: Some(view),
-            size: SIZE,
-            scale: SCALE,
-            theme: ctx.theme(),
-        }
+    /// The figure of a view, as figures are made.
+    pub(super) fn picture_of(&self, view: ViewId, title: Title, ctx: &Context) -> Picture {
+        let FigureChoice { purpose, theme, .. } = self.exports.choice;
+        let size = self.exports.sizes.get(&view).copied().unwrap_or(UNSEEN);
+        let screen = OnScreen {
+            size: [size.x, size.y].map(|points| points.round().max(1.0) as u32),
+            scale: ctx.pixels_per_point(),
+        };
+        Picture::of_figure(self.session.clone(), view, (purpose, title, theme), screen)
+    }
+
+    /// Keeps in mind how large a view is on the screen.
+    pub(crate) fn note_size(&mut self, view: ViewId, size: Vec2) {
+        self.exports.sizes.insert(view, size);
     }
 
     fn make(

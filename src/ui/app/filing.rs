@@ -59,6 +59,7 @@ impl App {
         }
         self.side = store.side();
         self.labels = store.labels();
+        self.exports.choice = store.figure();
         let restored = store.restore(self.session.clone());
         if restored.session != self.session {
             self.restart(restored.session);
@@ -265,6 +266,7 @@ impl App {
         if let Some(window) = window.filter(|_| !is_presenting) {
             files.store.keep_window(window);
         }
+        files.store.keep_figure(self.exports.choice);
         let now = ctx.input(|input| input.time);
         let keeping = files.store.keep(&self.session, now);
         if let Some(news) = keeping.news {

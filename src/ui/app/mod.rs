@@ -32,6 +32,7 @@ use bxdf_study::parallel::Pool;
 use bxdf_study::session::{Session, ViewId};
 use bxdf_study::store::{LabelSize, Side};
 use exports::Exports;
+pub(super) use figure::Heading;
 use files::Files;
 use left::Left;
 use looking::Looking;
@@ -41,6 +42,8 @@ mod asking;
 mod export;
 mod exports;
 mod fetching;
+mod figure;
+mod figure_dialog;
 mod files;
 mod filing;
 mod first_steps;
@@ -55,7 +58,7 @@ mod readings;
 mod side;
 mod views;
 
-pub use picture::{Maker, Picture, PutPicture};
+pub use picture::{Figure, Maker, OnScreen, Picture, PutPicture, Title};
 
 /// The application.
 pub struct App {
@@ -75,6 +78,10 @@ pub struct App {
     /// What was pointed at until a moment ago.
     pub(super) left: Option<Left>,
     pub(super) only: Option<ViewId>,
+    /// The title above that view, where the picture of it has one.
+    pub(super) heading: Option<Heading>,
+    /// Whether only what the graphics processor draws is painted.
+    pub(super) has_scenes_alone: bool,
     /// The view last clicked into.
     pub(super) clicked: Option<ViewId>,
     pub(super) picker: Picker,
@@ -106,6 +113,8 @@ pub struct App {
     pub(super) last_changed: Option<&'static str>,
     /// The room that views had in the last frame.
     pub(super) room_of_views: Rect,
+    /// By how much that of the one view of a picture was too low, in points.
+    pub(super) lacking: f32,
 }
 
 impl App {
@@ -138,6 +147,8 @@ impl App {
             pointed: None,
             left: None,
             only,
+            heading: None,
+            has_scenes_alone: false,
             clicked: None,
             picker: Picker::default(),
             components: Components::default(),
@@ -163,14 +174,17 @@ impl App {
             tiles: None,
             first_steps: None,
             zoom_before: None,
+            lacking: 0.0,
             room_of_views: Rect::from_min_size(Pos2::ZERO, theme::WINDOW_SIZE),
         }
     }
 
     /// The application as pictures show it: without what stands over a view for a hand alone.
     #[must_use]
-    pub fn for_picture(mut self) -> Self {
+    pub fn for_picture(mut self, figure: Option<&Figure>) -> Self {
         self.state.is_picture = true;
+        self.heading = figure.and_then(Heading::of);
+        self.state.has_title = figure.map(|_| self.heading.is_some());
         self
     }
 
@@ -260,7 +274,10 @@ impl App {
     /// Whether what is typed next goes to a text, which has the focus or is about to have it.
     #[must_use]
     pub fn is_typed_in(&self, ctx: &Context) -> bool {
-        ctx.text_edit_focused() || self.search.is_some() || self.picker.has_focus(ctx)
+        ctx.text_edit_focused()
+            || self.search.is_some()
+            || self.is_choosing_figure()
+            || self.picker.has_focus(ctx)
     }
 
     /// Says for a moment what a key did.

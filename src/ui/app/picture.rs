@@ -2,11 +2,15 @@
 
 use egui::{ColorImage, Theme};
 
+use crate::theme;
 use bxdf::error::Result;
+use bxdf_study::colors;
 use bxdf_study::export::Format;
+use bxdf_study::export::figure::{Page, Use};
 use bxdf_study::session::{Session, ViewId};
 
 /// A picture to be made.
+#[derive(Clone)]
 pub struct Picture {
     /// What to show.
     pub session: Session,
@@ -18,6 +22,63 @@ pub struct Picture {
     pub scale: f32,
     /// Dark or light.
     pub theme: Theme,
+    /// What makes a figure of it, where it is one; else it is a copy of what is on the screen.
+    pub figure: Option<Figure>,
+}
+
+/// What makes a figure of the picture of a view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// What it says above the view.
+    pub title: Title,
+    /// The page, where it is not as large as on the screen.
+    pub page: Option<Page>,
+}
+
+/// What a figure says above the view.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Title {
+    /// What is shown, of which materials, for which directions.
+    #[default]
+    Automatic,
+    /// These words in place of those for what is shown.
+    Own(String),
+    /// Nothing.
+    None,
+}
+
+/// How large a view is on the screen: its size in points, and pixels per point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnScreen {
+    /// Width and height in points.
+    pub size: [u32; 2],
+    /// Pixels per point.
+    pub scale: f32,
+}
+
+impl Picture {
+    /// A view of `session` as a figure for this use; `screen`: how large it is on the screen.
+    #[must_use]
+    pub fn of_figure(
+        session: Session,
+        view: ViewId,
+        (purpose, title, theme): (Use, Title, colors::Theme),
+        screen: OnScreen,
+    ) -> Self {
+        let page = purpose.spec().page;
+        let OnScreen { size, scale } = page.map_or(screen, |page| OnScreen {
+            size: page.size.map(|points| points as u32),
+            scale: page.scale() as f32,
+        });
+        Self {
+            session,
+            only: Some(view),
+            size,
+            scale,
+            theme: theme::as_drawn(theme),
+            figure: Some(Figure { title, page }),
+        }
+    }
 }
 
 /// Puts a picture into the clipboard.

@@ -92,3 +92,33 @@ pub static PASTE: Command = command(
     &[key(CTRL, Key::V)],
     |_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
 );
+
+/// Lets a person choose a figure of the view last clicked into.
+pub static FIGURE: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        [
+            "figure",
+            "Figure…",
+            "Export the view last clicked as a figure for a slide, a column of print or a page of the web",
+        ],
+        &[key(CTRL, Key::E)],
+        |app, _| app.choose_figure(app.current_view()),
+    )
+};
+
+/// Copies the figure of the view last clicked into.
+pub static COPY_PICTURE: Command = Command {
+    is_enabled: App::has_files,
+    ..command(
+        Group::File,
+        [
+            "copy_picture",
+            "Copy picture",
+            "Copy the view last clicked as a picture, as figures were made last",
+        ],
+        &[key(CTRL_ALT, Key::C)],
+        |app, ctx| app.copy_picture(app.current_view(), ctx),
+    )
+};

@@ -4,7 +4,9 @@ use egui::Key;
 
 use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, SHIFT, command, key, switched};
 use super::edits::{PIN, REDO, UNDO};
-use super::files::{COPY_SESSION, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA};
+use super::files::{
+    COPY_PICTURE, COPY_SESSION, FIGURE, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA,
+};
 use crate::app::App;
 use bxdf_lab::analysis::Hold;
 use bxdf_study::session::{Curves, MAX_MATERIALS};
@@ -335,12 +337,14 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 31] = [
+pub static COMMANDS: [&Command; 33] = [
     &NEW,
     &OPEN,
     &SAVE,
     &SAVE_AS,
     &SAVE_WITH_DATA,
+    &FIGURE,
+    &COPY_PICTURE,
     &COPY_SESSION,
     &PASTE,
     &UNDO,

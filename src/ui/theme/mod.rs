@@ -82,6 +82,10 @@ pub const WORDS_WIDTH: f32 = 1180.0;
 pub const SEARCH_FIELD_WIDTH: f32 = 230.0;
 /// Room between the edge of a tile and its view.
 pub const TILE_MARGIN: f32 = 4.0;
+/// The room around a figure, and between its title and its view, in points.
+pub const FIGURE_MARGIN: f32 = 10.0;
+/// See [`FIGURE_MARGIN`].
+pub const FIGURE_GAP: f32 = 6.0;
 /// Height of the bar with the names of the views in a tile.
 pub const TAB_BAR_HEIGHT: f32 = 24.0;
 /// The width of a drop-down, in points.
@@ -106,6 +110,14 @@ pub const HELP_MARGIN: f32 = 80.0;
 pub const HELP_KEYS_WIDTH: f32 = 200.0;
 /// The width of the field for a path, in points.
 pub const PATH_WIDTH: f32 = 560.0;
+/// The largest size of the preview of a figure, in points.
+pub const PREVIEW: Vec2 = Vec2::new(560.0, 400.0);
+/// The width of the choices beside it, and the height of what stands above and below, in points.
+pub const CHOICES_WIDTH: f32 = 240.0;
+/// The height of what is said of a size of figures there, in points.
+pub const MEANING_HEIGHT: f32 = 46.0;
+/// See [`CHOICES_WIDTH`].
+pub const CHROME: f32 = 60.0;
 /// The width of the search of the commands and the height of its list, in points.
 pub const SEARCH_SIZE: Vec2 = Vec2::new(440.0, 320.0);
 /// The height of a row of a legend, in points.

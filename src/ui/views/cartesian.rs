@@ -6,7 +6,7 @@ use super::context::ViewContext;
 use super::{kept_scale, settings};
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{Axis, Chart, Series, Shown, Stem};
-use crate::widgets::legend::{self, Swatch};
+use crate::widgets::legend::Swatch;
 use crate::widgets::{choice, draw};
 use bxdf::Side;
 use bxdf_lab::analysis::cartesian::{self, Abscissa, Curve};
@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     // Over their peaks all reach as high as they can.
     let lockable = (wanted > 0.0 && !scale.is_each_to_peak).then_some(full);
     settings::row(ui, cx, |ui, cx| controls(ui, cx, lockable));
-    legend::show(ui, Swatch::Line, cx.session, cx.palette);
+    cx.legend(ui, Swatch::Line);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
@@ -175,7 +175,7 @@ fn chart(cx: &ViewContext<'_, Options>, plotted: Plotted, full: f64) -> Chart {
             RadialScale::Linear => None,
             RadialScale::Logarithmic { decades } => Some(decades),
         };
-        let axis = Axis::of_values(value_name(session, &options), [least, largest], decades);
+        let axis = Axis::of_values(options.quantity(session), [least, largest], decades);
         // What leaves a scale that stays is cut off.
         Axis {
             is_cut: true,
@@ -184,6 +184,7 @@ fn chart(cx: &ViewContext<'_, Options>, plotted: Plotted, full: f64) -> Chart {
     };
     let mut chart = Chart::of("Cartesian plot", [x_axis(session, &options), y], series);
     chart.stems = stems;
+    chart.has_labels = cx.state.is_figure() && session.materials.is_overlay();
     if options.abscissa == Abscissa::Free {
         chart.marks =
             super::context::section_marks(session, options.own_section_deg.of(session), palette);
@@ -222,22 +223,6 @@ fn line(
         dash: Dash::of_channel(channel, entry.slot()),
         width: theme::CURVE_WIDTH,
         lines,
-    }
-}
-
-/// The name of what is drawn upwards, with its unit.
-fn value_name(session: &Session, options: &Options) -> String {
-    let quantity = if session.with_cosine {
-        "f |cos θ|"
-    } else {
-        "f"
-    };
-    let reference = session.materials.title(session.materials.reference());
-    match (options.is_residual, options.scale.is_each_to_peak) {
-        (false, false) => format!("{quantity} (1/sr)"),
-        (false, true) => format!("{quantity} over its peak"),
-        (true, false) => format!("{quantity} less that of {reference} (1/sr)"),
-        (true, true) => format!("{quantity} less that of {reference}, over its peak"),
     }
 }
 

@@ -4,11 +4,12 @@ use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use egui::Ui;
+use egui::{Rect, Ui};
 use glam::DVec3;
 
 use crate::theme::{Dash, Palette};
 use crate::widgets::chart::{self, Axis, Mark};
+use crate::widgets::legend::{self, Swatch};
 use crate::widgets::pictures::{ColorScale, Textures, Turned, Turns};
 use crate::widgets::{choice, deltas as widgets_deltas, draw};
 use bxdf_lab::analysis::hemisphere::Map;
@@ -57,6 +58,10 @@ pub struct ViewState {
     number: u64,
     /// Whether a picture is made, in which nobody can click.
     pub(crate) is_picture: bool,
+    /// Of a figure: whether it has a title.
+    pub(crate) has_title: Option<bool>,
+    /// What scenes of the graphics processor fill in this frame: they have no shapes to be measured.
+    pub(crate) filled: Option<Rect>,
     /// What measures the times of trade-offs.
     pub(crate) stopwatch: Stopwatch,
     /// A file that a view asks to be written.
@@ -136,6 +141,19 @@ impl<O> ViewContext<'_, O> {
             named(session.other(), session.free_name(), other, false),
             named(session.held(), session.held_name(), session.hold, true),
         ]
+    }
+
+    /// Says that a scene fills `rect`.
+    pub(super) fn fill(&mut self, rect: Rect) {
+        let filled = &mut self.state.filled;
+        *filled = Some(filled.map_or(rect, |other| other.union(rect)));
+    }
+
+    /// The names of the materials shown, above the view, where no title has them; a click selects one.
+    pub(super) fn legend(&mut self, ui: &mut Ui, swatch: Swatch) {
+        if !self.state.is_titled() {
+            legend::show(ui, swatch, self.session, self.palette);
+        }
     }
 
     /// Puts the light or the viewer at the direction `w`.
@@ -241,6 +259,7 @@ impl ViewState {
     /// To be called before the views of a frame are drawn. What views kept that are closed is dropped.
     pub fn begin_frame(&mut self, session: &Session) {
         self.textures.begin_frame();
+        self.filled = None;
         let is_open = |view: &ViewId| session.views.get(*view).is_some();
         self.contours
             .retain(|(view, entry), _| is_open(view) && session.materials.get(*entry).is_some());
@@ -289,6 +308,16 @@ impl ViewState {
         let key = (Same(Arc::clone(map)), scale);
         let kept = self.contours.entry(of).or_default();
         kept.get((&mut self.textures.turns, ctx), key, || compute(map))
+    }
+
+    /// Whether a figure is made: what the pointer would tell is written there.
+    pub(crate) fn is_figure(&self) -> bool {
+        self.has_title.is_some()
+    }
+
+    /// Whether a title names what has no name in the view itself.
+    pub(crate) fn is_titled(&self) -> bool {
+        self.has_title == Some(true)
     }
 
     /// The picture behind a texture, if it is one of the views'.

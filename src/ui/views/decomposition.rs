@@ -8,7 +8,7 @@ use super::context::ViewContext;
 use super::settings;
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
-use crate::widgets::legend::{self, Swatch};
+use crate::widgets::legend::Swatch;
 use crate::widgets::{choice, draw, pictures};
 use bxdf::{Category, Lobe};
 use bxdf_lab::analysis::decomposition::{Decomposition, Factors};
@@ -16,14 +16,17 @@ use bxdf_lab::analysis::{Channel, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, Session};
-use bxdf_study::views::DECADES;
 use bxdf_study::views::decomposition::{Decomposed, Options};
+use bxdf_study::views::{DECADES, value_of_f};
 
 /// Width over height of the charts of several materials.
 const ASPECT: f32 = 1.5;
 
 /// Smaller charts have room for their curves only, in points.
 const ROOM_FOR_WORDS: egui::Vec2 = egui::vec2(230.0, 150.0);
+
+/// In a figure, where no pointer reads them out: charts of a smaller area, in square points.
+const AREA_FOR_WORDS: f32 = 24_000.0;
 
 /// The names of the factors at the screen: D is shown over its peak, which differs by orders of magnitude.
 const FACTORS: [&str; 3] = ["D over its peak", "G", "F"];
@@ -83,13 +86,23 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     } else {
         room.aspect_ratio()
     };
-    for (cell, (entry, decomposition)) in pictures::cells(ui, room, parts.len(), aspect)
-        .into_iter()
-        .zip(&parts)
-    {
+    let is_figure = cx.state.is_figure();
+    let cells = if is_figure {
+        pictures::cells_of_charts(ui, room, parts.len())
+    } else {
+        pictures::cells(ui, room, parts.len(), aspect)
+    };
+    let has_room = |picture: Rect| {
+        if is_figure {
+            picture.area() >= AREA_FOR_WORDS
+        } else {
+            picture.size().min(ROOM_FOR_WORDS) == ROOM_FOR_WORDS
+        }
+    };
+    for (cell, (entry, decomposition)) in cells.into_iter().zip(&parts) {
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
         let mut chart = lobes_chart(&name, decomposition, (cx.session, cx.options), cx.palette);
-        if cell.picture.size().min(ROOM_FOR_WORDS) != ROOM_FOR_WORDS {
+        if !has_room(cell.picture) {
             chart.leave_out_words();
         }
         show_chart(ui, cx, (&chart, cell.picture), *entry);
@@ -99,7 +112,7 @@ fn show_lobes(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 
 /// One chart of the factors of all materials.
 fn show_factors(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Swatch::Patch, cx.session, cx.palette);
+    cx.legend(ui, Swatch::Patch);
     let parts = parts(cx);
     let mut series = Vec::new();
     for (entry, decomposition) in &parts {
@@ -223,11 +236,7 @@ fn lobes_chart(
         .map(delta_stem(palette))
         .collect();
     let decades = (options.is_logarithmic && !options.is_stacked).then_some(DECADES);
-    let quantity = if session.with_cosine {
-        "f |cos θ| (1/sr)"
-    } else {
-        "f (1/sr)"
-    };
+    let quantity = value_of_f(session);
     let y = if highest == 0.0 && !stems.is_empty() {
         super::context::share_axis(stems.iter().map(|stem| stem.share))
     } else {

@@ -1,12 +1,14 @@
 //! The inspector: every material's numbers at what is pointed at, or at light and viewer.
 
 use std::fmt::Write as _;
+use std::ops::Range;
 
-use egui::{Grid, RichText, ScrollArea, Ui};
+use egui::{Grid, Label, RichText, ScrollArea, TextStyle, Ui};
 use glam::DVec3;
 
 use super::context::ViewContext;
-use crate::widgets::{deltas as widgets_deltas, draw};
+use crate::theme;
+use crate::widgets::{choice, deltas as widgets_deltas, draw, still};
 use bxdf::Side;
 use bxdf_lab::analysis::half_difference::{HalfDifference, Spherical, half_difference};
 use bxdf_lab::analysis::hemisphere::Quantity;
@@ -74,7 +76,7 @@ struct Row {
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let report = report(cx);
     let area = ScrollArea::both().auto_shrink([false, false]);
-    area.show(ui, |ui| {
+    still::scroll(ui, area, |ui| {
         ui.horizontal_wrapped(|ui| {
             for (name, w) in report.angles() {
                 ui.label(RichText::new(name.0).strong())
@@ -237,30 +239,133 @@ fn numbers(reading: &Reading) -> impl Iterator<Item = Option<f64>> {
     own.map(Some).chain(factors)
 }
 
+/// A column of the table: its name, what it means, and the text of each row.
+struct Column {
+    name: &'static str,
+    meaning: &'static str,
+    cells: Vec<String>,
+}
+
+impl Report {
+    /// The columns of the table; those of deltas where a material has one.
+    fn columns(&self) -> Vec<Column> {
+        let has_deltas = self.rows.iter().any(|row| row.deltas != [None, None]);
+        let deltas = if has_deltas { &DELTAS[..] } else { &[] };
+        let row = |row: &Row| -> Vec<String> {
+            let deltas = row.deltas.into_iter().filter(|_| has_deltas);
+            let numbers = numbers(&row.reading)
+                .map(|number| number.map_or_else(|| "-".to_owned(), format::value));
+            deltas.map(delta_text).chain(numbers).collect()
+        };
+        let rows: Vec<Vec<String>> = self.rows.iter().map(row).collect();
+        let cell = |row: &Vec<String>, index: usize| row.get(index).cloned().unwrap_or_default();
+        let named = deltas.iter().chain(&COLUMNS).enumerate();
+        let column = named.map(|(index, (name, meaning))| Column {
+            name,
+            meaning,
+            cells: rows.iter().map(|row| cell(row, index)).collect(),
+        });
+        column.collect()
+    }
+}
+
+/// The table.
 fn table(ui: &mut Ui, report: &Report) {
-    let has_deltas = report.rows.iter().any(|row| row.deltas != [None, None]);
-    let deltas = if has_deltas { &DELTAS[..] } else { &[] };
+    let columns = report.columns();
+    if still::is(ui) {
+        upright(ui, report, &columns);
+        return;
+    }
+
     Grid::new("inspector")
         .striped(true)
         .spacing([14.0, 4.0])
         .show(ui, |ui| {
             ui.label("");
-            for (name, meaning) in deltas.iter().chain(&COLUMNS) {
-                ui.label(RichText::new(*name).weak())
-                    .on_hover_text(*meaning);
+            for column in &columns {
+                ui.label(RichText::new(column.name).weak())
+                    .on_hover_text(column.meaning);
             }
             ui.end_row();
-            for row in &report.rows {
+            for (index, row) in report.rows.iter().enumerate() {
                 ui.horizontal(|ui| {
                     draw::swatch(ui, row.color);
                     ui.label(&row.name);
                 });
-                for delta in row.deltas.into_iter().filter(|_| has_deltas) {
-                    ui.label(RichText::new(delta_text(delta)).monospace());
-                }
-                for number in numbers(&row.reading) {
-                    let text = number.map_or_else(|| "-".to_owned(), format::value);
+                for column in &columns {
+                    let text = column.cells.get(index).map_or("", String::as_str);
                     ui.label(RichText::new(text).monospace());
+                }
+                ui.end_row();
+            }
+        });
+}
+
+/// The most characters of a name at the head of a column.
+const LONGEST_HEAD: usize = 20;
+
+/// Between columns and between rows of the upright table, in points.
+const UPRIGHT_SPACING: [f32; 2] = [10.0, 2.0];
+
+/// The table where nobody can scroll: a column for each material, and as many tables as its width asks for.
+fn upright(ui: &mut Ui, report: &Report, columns: &[Column]) {
+    let width = |text: &str, style: TextStyle| choice::width_of(ui, text, &style);
+    let names = columns
+        .iter()
+        .map(|column| width(column.name, TextStyle::Body));
+    let room = ui.available_width() - names.fold(0.0, f32::max);
+    let width_of = |(index, row): (usize, &Row)| {
+        let cells = columns.iter().filter_map(|column| column.cells.get(index));
+        let lines = cells.flat_map(|cell| cell.split(BREAK));
+        let cells = lines.map(|line| width(line, TextStyle::Monospace));
+        let head = head(row);
+        let words = head.lines().map(|word| width(word, TextStyle::Body));
+        cells.chain(words).fold(theme::SWATCH.x, f32::max) + UPRIGHT_SPACING[0]
+    };
+    let widths: Vec<f32> = report.rows.iter().enumerate().map(width_of).collect();
+    let (mut start, mut used, mut parts) = (0, 0.0, Vec::new());
+    for (index, width) in widths.iter().enumerate() {
+        used += width;
+        if used > room && index > start {
+            parts.push(start..index);
+            (start, used) = (index, *width);
+        }
+    }
+    parts.push(start..report.rows.len());
+    for part in parts {
+        ui.push_id(part.start, |ui| {
+            upright_part(ui, report, columns, part);
+        });
+    }
+}
+
+/// Where the text of a cell goes on in another line.
+const BREAK: &str = " at ";
+
+/// A name over two lines, as at the head of a column.
+fn head(row: &Row) -> String {
+    draw::clipped(&row.name, LONGEST_HEAD).replacen(' ', "\n", 1)
+}
+
+fn upright_part(ui: &mut Ui, report: &Report, columns: &[Column], part: Range<usize>) {
+    Grid::new("inspector")
+        .striped(true)
+        .spacing(UPRIGHT_SPACING)
+        .min_row_height(0.0)
+        .show(ui, |ui| {
+            ui.label("");
+            for row in report.rows.get(part.clone()).unwrap_or_default() {
+                ui.vertical(|ui| {
+                    draw::swatch(ui, row.color);
+                    ui.add(Label::new(head(row)).extend());
+                });
+            }
+            ui.end_row();
+            for column in columns {
+                ui.label(RichText::new(column.name).weak());
+                for cell in column.cells.get(part.clone()).unwrap_or_default() {
+                    let text = RichText::new(cell.replace(BREAK, "\n")).monospace();
+                    ui.add(Label::new(text).extend());
                 }
                 ui.end_row();
             }

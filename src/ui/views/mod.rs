@@ -12,6 +12,7 @@ mod context;
 mod decomposition;
 mod direction;
 mod fresnel;
+pub mod heading;
 mod hemisphere;
 mod inspector;
 mod integral;
@@ -41,7 +42,9 @@ bxdf_study::view_kinds!(list);
 /// Draws the view, and above it what all views have to say and to set alike.
 pub fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &mut Options) {
     warn_of_held(ui, cx, options);
-    set_own_section(ui, cx.session, options);
+    if !cx.state.is_picture {
+        set_own_section(ui, cx.session, options);
+    }
     show_kind(ui, cx, options);
 }
 
@@ -70,6 +73,7 @@ fn set_own_section(ui: &mut Ui, session: &Session, options: &mut Options) {
 
 /// Where the held direction lies below opaque materials and the view is of it: says so, and offers the way back.
 fn warn_of_held(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &Options) {
+    let is_picture = cx.state.is_picture;
     let session = &mut *cx.session;
     let is_told = session.is_held_below() && options.is_of_held();
     if !is_told {
@@ -81,6 +85,9 @@ fn warn_of_held(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &Options) {
             "The {name} is below the surface, and nothing shown lets light through: all values above it are 0"
         );
         ui.colored_label(ui.visuals().error_fg_color, text);
+        if is_picture {
+            return;
+        }
         let hint = "Mirror it above the surface";
         let button = ui.button(format!("Bring the {name} above"));
         if button.on_hover_text(hint).clicked() {

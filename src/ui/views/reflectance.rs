@@ -6,7 +6,7 @@ use super::context::ViewContext;
 use super::settings;
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{Axis, Band, Chart, Mark, Series};
-use crate::widgets::legend::{self, Swatch};
+use crate::widgets::legend::Swatch;
 use crate::widgets::{choice, draw};
 use bxdf::{Category, Side};
 use bxdf_lab::analysis::Channel;
@@ -25,7 +25,7 @@ struct Part {
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     settings::show(ui, cx, |ui, cx| controls(ui, cx.options));
-    legend::show(ui, Swatch::Line, cx.session, cx.palette);
+    cx.legend(ui, Swatch::Line);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
@@ -133,15 +133,11 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
     };
     let least = values().fold(0.0, f64::min);
     let highest = values().fold(1.0, f64::max);
-    let y_name = if is_furnace {
-        "1 - ρ, share missing"
-    } else {
-        "ρ, share that leaves"
-    };
     let x = Axis::degrees("θ of the light (degrees)", [0.0, 90.0]);
-    let y = Axis::of_values(y_name, [least, highest], None).or_short("ρ");
+    let y = Axis::of_values(options.quantity(), [least, highest], None).or_short("ρ");
     let mut chart = Chart::of("Reflectance", [x, y], series);
     chart.bands = bands;
+    chart.has_labels = cx.state.is_figure() && is_overlay;
     chart.has_names = options.split != Split::Total;
     let (level, name) = if is_furnace {
         (0.0, "0: nothing is lost")
@@ -166,7 +162,7 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
 /// The share that leaves of light arriving from everywhere, in words.
 fn hemispherical(title: &str, curve: &Curve) -> String {
     let Some(mean) = &curve.hemispherical else {
-        return format!("{title}  ρ_hh …");
+        return format!("{title}\u{a0}\u{a0}ρ_hh\u{a0}…");
     };
     let [r, t] = [mean.reflection, mean.transmission].map(|rgb| Channel::Luminance.of(rgb));
     let transmitted = if t > 0.0 {
@@ -174,7 +170,10 @@ fn hemispherical(title: &str, curve: &Curve) -> String {
     } else {
         String::new()
     };
-    format!("{title}  ρ_hh {}{transmitted}", format::value(r))
+    format!(
+        "{title}\u{a0}\u{a0}ρ_hh\u{a0}{}{transmitted}",
+        format::value(r)
+    )
 }
 
 /// The parts of a curve.

@@ -42,6 +42,8 @@ pub fn label_scale(ui: &Ui) -> f32 {
 }
 
 /// Text on a patch of background, so that it stays readable over lines. It is moved to stay inside the clip rectangle.
+/// Returns where it stands.
+#[expect(clippy::must_use_candidate, reason = "most only want it to be drawn")]
 pub fn haloed_text(
     painter: &Painter,
     position: Pos2,
@@ -50,7 +52,7 @@ pub fn haloed_text(
     font: FontId,
     color: Color32,
     palette: &Palette,
-) {
+) -> Rect {
     let galley = painter.layout_no_wrap(text.to_owned(), font, color);
     let rect = inside(
         anchor.anchor_size(position, galley.size()),
@@ -62,6 +64,7 @@ pub fn haloed_text(
         palette.background.gamma_multiply(0.8),
     );
     painter.galley(rect.min, galley, color);
+    rect
 }
 
 /// `rect` moved by as little as possible to lie inside `bounds`.

@@ -5,9 +5,12 @@ use egui::{
     WidgetInfo, accesskit,
 };
 
-use super::hint;
 use super::steps::{self, Steps};
+use super::{hint, still};
 use crate::theme::{HANDLE_RADIUS, HANDLE_REACH, Palette};
+
+/// The radius of what stands for it in a picture, where nobody can take it, in points.
+const MARK_RADIUS: f32 = 5.0;
 
 /// What is left free about a handle, in points.
 const LABEL_GAP: f32 = 6.0;
@@ -84,6 +87,15 @@ pub fn show(
 ) -> Handle {
     let is_held = ui.ctx().is_being_dragged(id);
     if !room.contains(middle) && !is_held {
+        return Handle {
+            response: None,
+            place: None,
+            steps: None,
+        };
+    }
+    if still::is(ui) {
+        ui.painter()
+            .circle(middle, MARK_RADIUS, color, (1.5, palette.background));
         return Handle {
             response: None,
             place: None,

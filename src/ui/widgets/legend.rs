@@ -7,7 +7,7 @@ use egui::{
     pos2, vec2,
 };
 
-use super::draw;
+use super::{draw, still};
 use crate::theme::{self, Dash, Palette};
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
 
@@ -56,6 +56,10 @@ pub fn show(ui: &mut Ui, swatch: Swatch, session: &mut Session, palette: &Palett
     for item in &items {
         let rect = item.place.translate(legend.min.to_vec2());
         let id = ui.scope_id().with(("legend", item.entry.id()));
+        if still::is(ui) {
+            draw_item(ui, rect, swatch, item, false, palette);
+            continue;
+        }
         let response = ui.interact(rect, id, Sense::click());
         let is_selected = item.entry.id() == selected;
         let name = format!("Legend: {}", item.title);

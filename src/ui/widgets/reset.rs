@@ -3,6 +3,7 @@
 use egui::{Align2, Button, Id, Rect, RichText, Sense, Ui, UiBuilder};
 use egui_plot::PlotMemory;
 
+use super::still;
 use crate::theme;
 
 /// Where the button stands in a corner of `room`.
@@ -20,6 +21,7 @@ pub fn button(ui: &mut Ui, room: Rect, corner: Align2, is_changed: bool) -> bool
     // A drag that begins on it is none of the view below.
     let button = Button::new(RichText::new("Reset view").small()).sense(Sense::click_and_drag());
     is_changed
+        && !still::is(ui)
         && above
             .add_sized(theme::RESET_VIEW, button)
             .on_hover_text("Undo panning, zooming and turning (double-click the view)")

@@ -14,37 +14,59 @@ use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, Shape, Stroke, Vec2};
 
 use bxdf::error::Result;
 use elements::{path_of, place, short, stroked, turned};
-use images::{ImageOf, png_of};
+use images::{ImageOf, SceneAt, png_of};
 
 mod elements;
 mod images;
 mod pieces;
 mod text;
 
-/// The drawing of `shapes` on a page of this size in points; `image_of` knows the pictures among them.
-///
-/// What is drawn by the graphics processor alone (the 3D lobe) has no shapes: a line of text says so in its place.
+/// The page of a drawing.
+#[derive(Clone, Copy, Debug)]
+pub struct Page {
+    /// Width and height in points, which the drawing is made in.
+    pub size: Vec2,
+    /// The width in print, in millimetres, where it has one.
+    pub print_width_mm: Option<f64>,
+    /// The colour behind all.
+    pub background: Color32,
+}
+
+/// What knows the pictures in a drawing.
+#[derive(Clone, Copy)]
+pub struct Pictures<'a> {
+    /// Those behind textures.
+    pub of_texture: ImageOf<'a>,
+    /// Those of what the graphics processor alone draws (the 3D lobe), which has no shapes.
+    pub of_scene: SceneAt<'a>,
+}
+
+/// The drawing of `shapes` on this page, with these pictures.
 ///
 /// # Errors
 /// Where a picture cannot be encoded.
-pub fn drawing(
-    shapes: &[ClippedShape],
-    size: Vec2,
-    background: Color32,
-    image_of: ImageOf<'_>,
-) -> Result<String> {
+pub fn drawing(shapes: &[ClippedShape], page: Page, pictures: Pictures<'_>) -> Result<String> {
     let mut writer = Writer {
         text: String::new(),
         pending: None,
-        image_of,
+        pictures,
     };
+    let Page {
+        size,
+        print_width_mm,
+        background,
+    } = page;
     let (width, height) = (size.x, size.y);
+    let [across, down] = match print_width_mm {
+        Some(mm) => [mm, mm * f64::from(height / width)].map(|mm| format!("{mm:.2}mm")),
+        None => [width, height].map(|points| points.to_string()),
+    };
     let page = Rect::from_min_size(Pos2::ZERO, size);
     // Writing to a string cannot fail.
     let _ = writeln!(
         writer.text,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
-         width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" font-family=\"Ubuntu, sans-serif\">"
+         width=\"{across}\" height=\"{down}\" viewBox=\"0 0 {width} {height}\" font-family=\"Ubuntu, sans-serif\">"
     );
     writer.element("rect", &place(page), background, Stroke::NONE);
     let mut clip = None;
@@ -78,14 +100,11 @@ pub fn drawing(
 /// By how much the pieces of a curve may leave it, in points.
 const FLATNESS: f32 = 0.05;
 
-/// What stands in place of something that has no shapes, and how it is written.
-const NO_SHAPES: &str = "Drawn by the graphics processor: export a picture";
-
 struct Writer<'a> {
     text: String,
     /// Lines of one stroke that follow one another, as one path.
     pending: Option<(Stroke, String)>,
-    image_of: ImageOf<'a>,
+    pictures: Pictures<'a>,
 }
 
 impl Writer<'_> {
@@ -118,13 +137,9 @@ impl Writer<'_> {
                 stroke: curve.stroke.clone(),
             }),
             Shape::Callback(callback) => {
-                self.flush();
-                let _ = writeln!(
-                    self.text,
-                    "<text x=\"{}\" y=\"{}\" font-size=\"12\" text-anchor=\"middle\" fill=\"#808080\">{NO_SHAPES}</text>",
-                    short(callback.rect.center().x),
-                    short(callback.rect.center().y)
-                );
+                if let Some(image) = (self.pictures.of_scene)(callback.rect) {
+                    self.image(callback.rect, "", &image)?;
+                }
             }
         }
         Ok(())
@@ -216,7 +231,7 @@ impl Writer<'_> {
         let turn = turned(shape.angle, shape.rect.center());
         let textured = shape.brush.as_ref().filter(|brush| brush.uv != Rect::ZERO);
         let image = textured.and_then(|brush| {
-            (self.image_of)(brush.fill_texture_id).map(|image| (image, brush.uv))
+            (self.pictures.of_texture)(brush.fill_texture_id).map(|image| (image, brush.uv))
         });
         let mut fill = shape.fill;
         if let Some((image, uv)) = image {
@@ -255,7 +270,7 @@ impl Writer<'_> {
 
     /// A picture, or an area of triangles.
     fn mesh(&mut self, mesh: &Mesh) -> Result<()> {
-        if let Some(image) = (self.image_of)(mesh.texture_id) {
+        if let Some(image) = (self.pictures.of_texture)(mesh.texture_id) {
             let corners = mesh.vertices.iter().map(|vertex| vertex.uv);
             let uv = Rect::from_points(&corners.collect::<Vec<_>>());
             let tint = mesh.vertices.first().map_or(Color32::WHITE, |v| v.color);

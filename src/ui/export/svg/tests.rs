@@ -17,8 +17,16 @@ fn drawn_in(clip: Rect, shape: Shape) -> String {
     let clipped = ClippedShape::new(clip, shape);
     let picture = Arc::new(ColorImage::new([2, 2], vec![RED, BLUE, BLUE, RED]));
     let image_of = |id: TextureId| (id == TextureId::User(7)).then(|| Arc::clone(&picture));
-    let size = vec2(100.0, 100.0);
-    let drawing = drawing(&[clipped], size, Color32::WHITE, &image_of).unwrap();
+    let page = Page {
+        size: vec2(100.0, 100.0),
+        print_width_mm: None,
+        background: Color32::WHITE,
+    };
+    let pictures = Pictures {
+        of_texture: &image_of,
+        of_scene: &|rect| (rect == square()).then(|| ColorImage::clone(&picture)),
+    };
+    let drawing = drawing(&[clipped], page, pictures).unwrap();
     let inner = drawing.lines().skip(2);
     let inner: Vec<&str> = inner.filter(|line| *line != "</svg>").collect();
     inner.join("\n")
@@ -208,12 +216,16 @@ fn text_keeps_its_looks_and_turns() {
 }
 
 #[test]
-fn what_has_no_shapes_is_said_and_clips_are_kept() {
+fn a_scene_is_a_picture_and_clips_are_kept() {
     let callback = egui::PaintCallback {
         rect: square(),
         callback: Arc::new(()),
     };
-    assert!(drawn(Shape::Callback(callback)).contains(NO_SHAPES));
+    let scene = drawn(Shape::Callback(callback));
+    assert!(
+        scene.starts_with("<image x=\"10\" y=\"20\" width=\"20\" height=\"30\""),
+        "{scene}"
+    );
     let circle = Shape::circle_filled(pos2(5.0, 5.0), 3.0, BLUE);
     let clipped = drawn_in(square(), circle.clone());
     assert!(
@@ -222,4 +234,24 @@ fn what_has_no_shapes_is_said_and_clips_are_kept() {
     );
     let outside = square().translate(vec2(500.0, 0.0));
     assert_eq!(drawn_in(outside, circle), "");
+}
+
+#[test]
+fn a_page_has_its_size_in_print() {
+    let page = |print_width_mm| Page {
+        size: vec2(400.0, 300.0),
+        print_width_mm,
+        background: Color32::WHITE,
+    };
+    let pictures = Pictures {
+        of_texture: &|_| None,
+        of_scene: &|_| None,
+    };
+    let sized = |mm| drawing(&[], page(mm), pictures).unwrap();
+    let printed = sized(Some(88.0));
+    assert!(
+        printed.contains("width=\"88.00mm\" height=\"66.00mm\" viewBox=\"0 0 400 300\""),
+        "{printed}"
+    );
+    assert!(sized(None).contains("width=\"400\" height=\"300\""));
 }

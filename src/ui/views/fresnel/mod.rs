@@ -6,7 +6,7 @@ use super::context::ViewContext;
 use super::settings;
 use crate::widgets::chart::Chart;
 use crate::widgets::number::Number;
-use crate::widgets::pictures::{self, Cell};
+use crate::widgets::pictures;
 use crate::widgets::{choice, draw};
 use bxdf_lab::analysis::fresnel::{Fresnel, lobes};
 use bxdf_study::format;
@@ -17,9 +17,6 @@ mod curves;
 mod rays;
 mod snell;
 mod words;
-
-/// Width over height that the charts of several materials may have.
-const ASPECTS: [f32; 5] = [0.9, 1.2, 1.6, 2.1, 2.8];
 
 /// Smaller charts have room for their curves only, in points.
 const ROOM_FOR_WORDS: egui::Vec2 = vec2(230.0, 150.0);
@@ -50,23 +47,12 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         .map(|(entry, title)| (entry.id(), title))
         .collect();
     let room = ui.available_rect_before_wrap();
-    let cells = cells(ui, room, shown.len());
+    let cells = pictures::cells_of_charts(ui, room, shown.len());
     for (cell, (entry, _)) in cells.into_iter().zip(&shown) {
         let name = pictures::title(ui, cell, *entry, cx.session, cx.palette);
         show_material(ui, cx, (*entry, &name), cell.picture);
     }
     ui.advance_cursor_after_rect(room);
-}
-
-/// A place for the chart of each material: the grid of those that leave the most room for one.
-fn cells(ui: &Ui, room: Rect, count: usize) -> Vec<Cell> {
-    if count < 2 {
-        return pictures::cells(ui, room, count, room.aspect_ratio());
-    }
-    let grids = ASPECTS.map(|aspect| pictures::cells(ui, room, count, aspect));
-    let area = |cells: &Vec<Cell>| cells.first().map_or(0.0, |cell| cell.picture.area());
-    let largest = grids.into_iter().max_by(|a, b| area(a).total_cmp(&area(b)));
-    largest.unwrap_or_default()
 }
 
 /// The chart of a material, and the triangle where there is room.
@@ -103,7 +89,7 @@ fn show_material(
         let width = (share * rect.width()).clamp(least, most);
         beside.min.x = rect.right() - width;
         plot.max.x = beside.min.x - GAP;
-    } else if rect.size().min(ROOM_FOR_WORDS) != ROOM_FOR_WORDS {
+    } else if rect.size().min(ROOM_FOR_WORDS) != ROOM_FOR_WORDS && !cx.state.is_figure() {
         chart.leave_out_words();
     } else if fresnel.curves.len() > 1 && rect.size().min(ROOM_FOR_MARKS) != ROOM_FOR_MARKS {
         chart.marks.iter_mut().for_each(|mark| mark.name.clear());
@@ -228,6 +214,15 @@ fn own_interface(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     };
     let line =
         format!("No {of} shown has an index of refraction: this interface is the view's own");
+    if cx.state.is_picture {
+        let [n, k] = [cx.options.own_n, cx.options.own_k].map(format::value);
+        ui.label(
+            RichText::new(format!("{line}, n {n}, k {k}"))
+                .small()
+                .weak(),
+        );
+        return;
+    }
     ui.label(RichText::new(line).small().weak());
     ui.horizontal_wrapped(|ui| {
         let rows = [

@@ -1,6 +1,6 @@
 //! Snell's law beside the chart: its triangles, the angles, and what is reflected at the angle held.
 
-use egui::{Grid, Sense, Ui, vec2};
+use egui::{Grid, Sense, TextStyle, Ui, vec2};
 
 use super::curves::Look;
 use super::rays::Drawing;
@@ -13,20 +13,14 @@ use bxdf_study::format;
 /// The part of the height that the picture has at most.
 const LARGEST_SHARE: f32 = 0.62;
 
-/// The part that it has at least, whatever else is cut off.
-const LEAST_SHARE: f32 = 0.3;
-
 /// Between the columns and between the rows of values, in points.
 const SPACING: egui::Vec2 = vec2(14.0, 1.0);
 
 /// The picture, the equation, and what is reflected at the angle held.
 pub(super) fn show(ui: &mut Ui, fresnel: &Fresnel, look: &Look<'_>) {
     let room = ui.available_size();
-    let below = room.y - height_of_texts(ui, fresnel, look);
-    let side = room
-        .x
-        .min(LARGEST_SHARE * room.y)
-        .min(below.max(LEAST_SHARE * room.y));
+    let below = room.y - words_height(ui, fresnel, look);
+    let side = room.x.min(LARGEST_SHARE * room.y).min(below).max(0.0);
     let (rect, _) = ui.allocate_exact_size(vec2(room.x, side), Sense::hover());
     Drawing::new(ui, rect, fresnel, look).show();
     ui.add_space(SPACING.x);
@@ -37,21 +31,15 @@ pub(super) fn show(ui: &mut Ui, fresnel: &Fresnel, look: &Look<'_>) {
     values(ui, fresnel, look);
 }
 
-/// What the lines below the picture take.
-fn height_of_texts(ui: &Ui, fresnel: &Fresnel, look: &Look<'_>) -> f32 {
-    let of_curves = |curve: &Curve| lines(curve, fresnel).len();
-    let equations = if fresnel.is_absorbing {
-        1
-    } else {
-        fresnel.curves.iter().map(of_curves).sum()
-    };
-    let (kinds, headings) = (
-        look.kinds().len(),
-        1 + usize::from(fresnel.curves.len() > 1),
-    );
-    let rows = equations + kinds + headings;
-    let line = ui.text_style_height(&egui::TextStyle::Body) + SPACING.y;
-    rows as f32 * line + 2.0 * SPACING.x
+/// The height of what is written below the picture, in points.
+fn words_height(ui: &Ui, fresnel: &Fresnel, look: &Look<'_>) -> f32 {
+    let row = ui.text_style_height(&TextStyle::Small) + SPACING.y;
+    let curves = fresnel.curves.len();
+    // A line of an equation may take two rows.
+    let equations = if fresnel.is_absorbing { 2 } else { 2 * curves };
+    let kinds = look.kinds().len();
+    let values = kinds + usize::from(kinds > 0) + usize::from(curves > 1);
+    row * (equations + values) as f32 + 2.0 * SPACING.x
 }
 
 /// The angles of both sides, and n sin θ, which is the same.

@@ -56,7 +56,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let mut room = ui.available_rect_before_wrap();
     let scale = range.map(|range| scale(range, options));
     if let Some(scale) = scale {
-        room = pictures::color_bar(ui, room, scale, &quantity_name(options), cx.palette);
+        room = pictures::color_bar(ui, room, scale, &options.quantity_name(), cx.palette);
     }
     let cells = pictures::cells(ui, room, maps.len(), 1.0);
     let (mut first, mut covered) = (None, Vec::new());
@@ -175,18 +175,6 @@ fn scale(range: Range, options: Options) -> ColorScale {
                 kind: ScaleKind::DivergingLogarithmic,
             }
         }
-    }
-}
-
-/// What the colours mean, with the unit.
-fn quantity_name(options: Options) -> String {
-    let (title, unit) = (options.quantity.title(), options.quantity.unit());
-    match options.comparison {
-        Comparison::Ratio => format!("ratio of {title}"),
-        Comparison::Difference if unit.is_empty() => format!("difference of {title}"),
-        Comparison::Difference => format!("difference of {title}, {unit}"),
-        Comparison::None if unit.is_empty() => title.to_owned(),
-        Comparison::None => format!("{title}, {unit}"),
     }
 }
 
@@ -354,6 +342,6 @@ fn read_out(cx: &mut ViewContext<'_, Options>, cursor: &Cursor) -> String {
     format!(
         "{}\n{}  {value}",
         draw::cursor_place(cursor, session),
-        quantity_name(*cx.options)
+        cx.options.quantity_name()
     )
 }

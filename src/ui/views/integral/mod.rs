@@ -91,8 +91,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         room
     };
     if request.integrand != Integrand::One && range.highest > 0.0 {
-        let name = [request.integrand.title(), request.integrand.unit()];
-        let name = name.join(if name[1].is_empty() { "" } else { ", " });
+        let name = cx.options.quantity_name();
         pictures = pictures::color_bar(ui, pictures, scale, &name, cx.palette);
     }
     let cells = pictures::cells(ui, pictures, known.len(), Scene::aspect(halves));

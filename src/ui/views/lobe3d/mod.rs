@@ -11,8 +11,9 @@ use super::settings;
 use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
 use crate::widgets::labels::Labels;
-use crate::widgets::legend::{self, Swatch};
-use crate::widgets::{draw, pictures, reset};
+use crate::widgets::legend::Swatch;
+use crate::widgets::{draw, pictures, reset, still};
+use bxdf::math::frame;
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{HomeView, LobeSurface, OrbitCamera, Session};
 use bxdf_study::views::Arrangement;
@@ -59,7 +60,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     });
     let is_overlaid = cx.options.arrangement == Arrangement::Overlaid || requested.len() < 2;
     if is_overlaid {
-        legend::show(ui, Swatch::Patch, cx.session, cx.palette);
+        cx.legend(ui, Swatch::Patch);
     }
     let room = ui.available_rect_before_wrap();
     let covered = reset::place(room, RESET_CORNER);
@@ -95,7 +96,8 @@ fn show_scene(
     rect: Rect,
     covered: Rect,
 ) {
-    let response = ui.interact(rect, ui.scope_id().with("scene"), Sense::click_and_drag());
+    let sense = still::sense(ui, Sense::click_and_drag());
+    let response = ui.interact(rect, ui.scope_id().with("scene"), sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D lobe"));
     let has_lower = cx.state.shows_lower_half(cx.session);
     move_camera(ui, &response, cx.session);
@@ -112,6 +114,7 @@ fn show_scene(
         },
     };
     ui.painter().add(scene3d::shape(rect, view));
+    cx.fill(dome(&camera, rect, has_lower));
     let mut labels = Labels::within(rect);
     if is_moved(cx) {
         labels.keep_off(covered);
@@ -139,6 +142,18 @@ fn show_scene(
     if !response.hovered() {
         mark_cursor(ui, cx, rect, &camera);
     }
+}
+
+/// Where the dome, or the sphere, is seen in `rect`.
+fn dome(camera: &OrbitCamera, rect: Rect, has_lower: bool) -> Rect {
+    const STEPS: u32 = 24;
+    let turn = |step: u32| 360.0 * f64::from(step) / f64::from(STEPS);
+    let lowest = if has_lower { STEPS / 2 } else { STEPS / 4 };
+    let directions = (0..=lowest).flat_map(|theta| {
+        (0..STEPS).map(move |phi| frame::direction_from_degrees(turn(theta), turn(phi)))
+    });
+    let places = directions.filter_map(|w| camera.project(w.as_vec3(), rect));
+    Rect::from_points(&places.collect::<Vec<_>>()).intersect(rect)
 }
 
 /// How a lobe may be drawn: the name and what it is good for.

@@ -13,7 +13,7 @@ use super::surface::Lobes;
 use crate::scene3d::{Projection as _, Ray};
 use crate::theme::Palette;
 use crate::widgets::labels::{Labels, Place, Reach};
-use crate::widgets::{deltas, draw};
+use crate::widgets::{deltas, draw, still};
 use bxdf::math::frame;
 use bxdf_lab::analysis::Channel;
 use bxdf_study::format;
@@ -291,6 +291,7 @@ impl Sketch<'_> {
         let (font, color) = (draw::small_font(self.ui), self.palette.faint_ink);
         let painter = self.ui.painter_at(self.rect);
         let covered = painter.text(place, Align2::RIGHT_TOP, text, font, color);
+        still::follows_room(self.ui, covered);
         self.labels
             .borrow_mut()
             .keep_off(covered.expand2(0.5 * PATCH));

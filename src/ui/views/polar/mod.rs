@@ -1,13 +1,13 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
-use egui::{IdSalt, Rect, Ui, UiBuilder, vec2};
+use egui::{IdSalt, Sense, Ui, UiBuilder, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::context::ViewContext;
-use super::{kept_scale, settings};
+use super::settings;
 use crate::theme::Dash;
-use crate::widgets::legend::{self, Swatch};
-use crate::widgets::{draw, pictures, reset};
+use crate::widgets::legend::Swatch;
+use crate::widgets::{draw, pictures, reset, still};
 use bxdf_lab::analysis::{RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::MaterialEntry;
@@ -18,8 +18,10 @@ use radial::{Radial, Rings, at};
 
 mod canvas;
 mod handles;
+mod labels;
 mod names;
 mod radial;
+mod scales;
 
 /// The room beside the plot's unit circle that labels need, and above it.
 const SIDE_ROOM: f64 = 0.4;
@@ -35,7 +37,7 @@ const HOVER_RADIUS: f64 = 1.12;
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let mut plotted = plotted(cx);
-    let shared = scale_all(ui, cx, &mut plotted);
+    let shared = scales::scale_all(ui, cx, &mut plotted);
     settings::row(ui, cx, |ui, cx| {
         let Options {
             mut scale,
@@ -50,10 +52,10 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         settings::curves(ui, cx);
     });
     if cx.options.arrangement == Arrangement::Overlaid || plotted.len() < 2 {
-        legend::show(ui, Swatch::Line, cx.session, cx.palette);
+        cx.legend(ui, Swatch::Line);
         let room = ui.available_rect_before_wrap();
         show_plot(ui, cx, &plotted, shared);
-        offer_peaks(ui, cx, &plotted, room);
+        scales::offer_peaks(ui, cx, &plotted, room);
         return;
     }
     // In the order of the list: the selected one is last for the sake of overlaid curves alone.
@@ -67,47 +69,6 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         ui.scope_builder(scope, |ui| show_plot(ui, cx, &[one], shared));
     }
     ui.advance_cursor_after_rect(room);
-}
-
-/// The radial scale of each material, 1 at the unit circle; the value there, where it is that of all.
-fn scale_all(ui: &Ui, cx: &mut ViewContext<'_, Options>, plotted: &mut [Plotted]) -> Option<f64> {
-    let (scale, channels) = (cx.options.scale, cx.session.shown_curves().channels());
-    let mut largest = 0.0_f64;
-    for one in &mut *plotted {
-        let peak = radial::peak(&one.section, channels);
-        largest = largest.max(peak);
-        if scale.is_each_to_peak {
-            // The curve itself touches the circle, not the next ring.
-            let full = kept_scale::full(ui, cx, scale, Some(one.entry), peak);
-            one.radial = Radial::new(scale.lengths, full);
-        }
-    }
-    if scale.is_each_to_peak {
-        return None;
-    }
-    let wanted = if largest > 0.0 {
-        radial::full(scale.lengths, largest)
-    } else {
-        0.0
-    };
-    let full = kept_scale::full(ui, cx, scale, None, wanted);
-    for one in plotted {
-        one.radial = Radial::new(scale.lengths, full);
-    }
-    (full > 0.0).then_some(full)
-}
-
-/// Offers to show each lobe to its peak, where one is too small to be seen.
-fn offer_peaks(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, plotted: &[Plotted], room: Rect) {
-    let channels = cx.session.shown_curves().channels();
-    let radii = plotted.iter().map(|one| {
-        let radius = one.radial.radius(radial::peak(&one.section, channels));
-        (one.entry, radius)
-    });
-    let small = settings::smallest(cx, radii);
-    let mut scale = cx.options.scale;
-    settings::offer_peaks(ui, cx, &mut scale, small, room);
-    cx.options.scale = scale;
 }
 
 /// The rings behind curves. `shared`: the value at the unit circle, where it is that of all.
@@ -164,6 +125,7 @@ fn show_plot(
         .show_background(false)
         .allow_boxed_zoom(false)
         .allow_scroll(false)
+        .sense(still::sense(ui, Sense::click_and_drag()))
         .set_margin_fraction(vec2(0.0, 0.0))
         .default_x_bounds(window.min()[0], window.max()[0])
         .default_y_bounds(window.min()[1], window.max()[1])
@@ -196,14 +158,15 @@ fn show_plot(
         canvas.draw_arrows(one, &mut taken, &palette);
     }
     taken.extend(canvas.handles(&directions, section));
-    canvas.label_grid(&rings, &taken, &palette, has_lower);
-    canvas.name_directions(cx.session, &directions, section, &palette);
+    let numbers = canvas.label_grid(&rings, &taken, &palette, has_lower);
+    taken.extend(numbers);
+    taken.extend(canvas.name_directions(cx.session, &directions, section, &palette));
+    canvas.name_materials(cx, plotted, taken);
     canvas.name_curves(cx.session, &palette);
     if let Some(note) = note(cx, plotted) {
         canvas.note(note, &palette);
     }
     let transform = response.transform;
-
     if handles::drag_all(ui, cx, &transform) {
         cx.state.keep_arrangement(has_lower);
     } else {

@@ -1,151 +1,112 @@
-//! What is written in the plot: the numbers of the grid, the names of directions.
+//! The names of the materials beside their curves, in a figure: nobody can point at a curve there.
 
 use std::f64::consts::FRAC_PI_2;
 
-use egui::{Align2, Pos2, Rect, vec2};
+use egui::{Align2, Pos2, Rect, Vec2};
 
-use super::super::context::Named;
-use super::canvas::{Canvas, RAY_STEP_DEG, Way, named_directions};
-use super::radial::Rings;
-use crate::theme;
-use crate::widgets::draw;
-use bxdf_lab::analysis::polar;
-use bxdf_study::format;
-use bxdf_study::session::{Section, Session};
+use super::super::context::ViewContext;
+use super::canvas::{Canvas, Plotted};
+use super::radial::peak;
+use crate::widgets::labels::{Labels, Place, Reach};
+use crate::widgets::{draw, handle};
+use bxdf_lab::analysis::polar::{Point, signed_angle};
+use bxdf_study::session::Session;
+use bxdf_study::views::polar::Options;
 
-/// Radius of the angle labels.
-const ANGLE_LABEL_RADIUS: f64 = 1.075;
-/// Radius of the names of directions.
-const NAME_RADIUS: f64 = 1.15;
-/// How far from the circle they stand at least, in points: clear of handles and angles.
-const NAME_GAP: f32 = 16.0;
-/// Names nearer to one another than this, in radians, would overlap.
-const NAME_SPACING: f64 = 0.16;
-/// Plots that are narrower, or circles of a smaller radius, in points, have every other angle and the outermost ring alone
-/// numbered; those of the least radius every sixth angle.
-const SMALL_WIDTH: f32 = 300.0;
-const SMALL_RADIUS: f32 = 104.0;
-const LEAST_RADIUS: f32 = 52.0;
-/// In circles of a smaller radius, in points, n stands where 0 would.
-const RADIUS_OF_ZERO: f32 = 74.0;
+/// The most characters of a name; the title has more of it.
+const LONGEST: usize = 24;
+
+/// What a point of a curve keeps free about it, in points.
+const CLEAR: Vec2 = Vec2::splat(4.0);
+
+/// The points of a straight line that are looked at.
+const STEPS: u8 = 40;
+
+/// Only every such point is looked at: curves have more points than that shows.
+const EVERY: usize = 2;
 
 impl Canvas<'_> {
-    /// The numbers of the grid, but those that would lie below what is `taken`: a share is worth more than one of many angles.
-    pub(super) fn label_grid(
+    /// In a figure of several materials: writes the name of each material where its curve is longest, clear of all curves and directions and of what is `taken`.
+    pub(super) fn name_materials(
         &self,
-        rings: &Rings,
-        taken: &[Rect],
-        palette: &theme::Palette,
-        has_lower: bool,
+        cx: &ViewContext<'_, Options>,
+        plotted: &[Plotted],
+        taken: Vec<Rect>,
     ) {
+        if !cx.state.is_figure() || plotted.len() < 2 {
+            return;
+        }
+        let (session, palette) = (&*cx.session, cx.palette);
         let painter = self.painter();
-        let text = |position: Pos2, anchor: Align2, text: String| {
-            let font = draw::small_font(self.ui);
-            let galley = painter.layout_no_wrap(text, font, palette.faint_ink);
-            let rect = anchor.anchor_size(position, galley.size());
-            if !taken.iter().any(|other| other.intersects(rect)) {
-                painter.galley(rect.min, galley, palette.faint_ink);
-            }
-        };
-        let limit: i32 = if has_lower { 180 } else { 90 };
-        let radius = self.radius();
-        let is_small = self.transform.frame().width() < SMALL_WIDTH || radius < SMALL_RADIUS;
-        let step = if radius < LEAST_RADIUS {
-            6 * RAY_STEP_DEG
-        } else if is_small {
-            2 * RAY_STEP_DEG
-        } else {
-            RAY_STEP_DEG
-        };
-        for angle_deg in (-limit..=limit)
-            .step_by(step as usize)
-            .filter(|a| *a != -180)
-            .filter(|a| *a != 0 || radius >= RADIUS_OF_ZERO)
-        {
-            let angle = f64::from(angle_deg).to_radians();
-            text(
-                self.position(self.outside(ANGLE_LABEL_RADIUS), angle),
-                Align2::CENTER_CENTER,
-                format!("{}°", angle_deg.abs()),
-            );
+        let font = draw::body_font(self.ui);
+        let mut labels = Labels::within(self.transform.frame().shrink(2.0));
+        for rect in taken {
+            labels.keep_off(rect);
         }
-        let below = vec2(0.0, 4.0);
-        let skipped = if is_small {
-            rings.ticks.len().saturating_sub(1)
-        } else {
-            0
-        };
-        let of_value = |tick: &f64| rings.radius(*tick);
-        let mut ticks = rings.ticks.clone();
-        ticks.sort_by(|a, b| of_value(a).total_cmp(&of_value(b)));
-        for tick in ticks.iter().skip(skipped) {
-            let place = self.position(rings.radius(*tick), FRAC_PI_2) + below;
-            text(place, Align2::CENTER_TOP, format::value(*tick));
+        let mut keep_off = |at: Pos2| labels.keep_off(Rect::from_center_size(at, CLEAR));
+        for one in plotted {
+            self.curve(session, one)
+                .step_by(EVERY)
+                .for_each(&mut keep_off);
         }
-        if !is_small {
-            text(
-                self.position(0.5, -FRAC_PI_2) + below,
-                Align2::CENTER_TOP,
-                rings.quantity.clone(),
-            );
+        let azimuth = cx.options.own_section_deg.of(session).phi();
+        let directions = cx.directions();
+        let angles = directions
+            .iter()
+            .map(|one| signed_angle(one.direction, azimuth));
+        for angle in angles.chain([0.0, FRAC_PI_2, -FRAC_PI_2]) {
+            let radii = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS));
+            radii.for_each(|radius| keep_off(self.position(radius, angle)));
         }
-    }
-
-    /// What the handles of these directions cover.
-    pub(super) fn handles(&self, directions: &[Named], section: Section) -> Vec<Rect> {
-        let size = vec2(theme::HANDLE_RADIUS, theme::HANDLE_RADIUS) * 2.0;
-        let place = |one: &Named| {
-            let angle = polar::signed_angle(one.direction, section.phi());
-            Rect::from_center_size(self.position(1.0, angle), size)
-        };
-        directions.iter().map(place).collect()
-    }
-
-    /// The radius of the circle, in points.
-    fn radius(&self) -> f32 {
-        let [middle, rim] = [0.0, 1.0].map(|radius| self.position(radius, 0.0));
-        middle.distance(rim)
-    }
-
-    pub(super) fn name_directions(
-        &self,
-        session: &Session,
-        directions: &[Named],
-        section: Section,
-        palette: &theme::Palette,
-    ) {
-        let painter = self.painter();
-        let name_radius = self.outside(NAME_RADIUS.max(1.0 + f64::from(NAME_GAP / self.radius())));
-        let mut taken: Vec<f64> = Vec::new();
-        for way in named_directions(session, directions, section, palette) {
-            let Way {
-                name, angle, color, ..
-            } = way;
-            // Where directions fall together, the first named stands for all.
-            if taken
-                .iter()
-                .any(|other| (angle - other).abs() < NAME_SPACING)
-            {
+        for one in &directions {
+            let tip = self.position(1.0, signed_angle(one.direction, azimuth));
+            labels.keep_off(handle::room(tip));
+        }
+        let foot = self.position(0.0, 0.0);
+        // The selected one is drawn last, and named first.
+        for one in plotted.iter().rev() {
+            let Some(entry) = session.materials.get(one.entry) else {
+                continue;
+            };
+            let far = |at: &Pos2| at.distance(foot);
+            let longest = self.curve(session, one);
+            let Some(tip) = longest.max_by(|a, b| far(a).total_cmp(&far(b))) else {
+                continue;
+            };
+            if peak(&one.section, session.shown_curves().channels()) <= 0.0 {
                 continue;
             }
-            taken.push(angle);
-            let position = self.position(name_radius, angle);
-            // Outwards from the circle, so that the text stays clear of the angle labels.
-            let anchor = match angle.sin() {
-                x if x > 0.3 => Align2::LEFT_CENTER,
-                x if x < -0.3 => Align2::RIGHT_CENTER,
-                _ if angle.cos() < 0.0 => Align2::CENTER_TOP,
-                _ => Align2::CENTER_BOTTOM,
+            let title = draw::clipped(&session.materials.title(entry), LONGEST);
+            let color = palette.material(one.slot);
+            let ink = palette.text_in(color);
+            let galley = painter.layout_no_wrap(title.clone(), font.clone(), ink);
+            let outwards = tip - foot;
+            let Some(Place { rect, leader }) =
+                labels.place(tip, galley.size(), outwards, Reach::Far)
+            else {
+                continue;
             };
-            draw::haloed_text(
-                &painter,
-                position,
-                anchor,
-                name,
-                draw::body_font(self.ui),
-                color,
-                palette,
-            );
+            if let Some(ends) = leader {
+                painter.line_segment(ends, (1.0, color));
+            }
+            let (at, anchor) = (rect.center(), Align2::CENTER_CENTER);
+            draw::haloed_text(&painter, at, anchor, &title, font.clone(), ink, palette);
         }
+    }
+
+    /// Where the curves of a material lie.
+    fn curve<'a>(
+        &'a self,
+        session: &'a Session,
+        plotted: &'a Plotted,
+    ) -> impl Iterator<Item = Pos2> + 'a {
+        let points = plotted.section.upper.iter().chain(&plotted.section.lower);
+        points.flat_map(move |point: &Point| {
+            let channels = session.shown_curves().channels().iter();
+            channels.map(move |channel| {
+                let radius = plotted.radial.radius(channel.of(point.value));
+                self.position(radius, point.angle)
+            })
+        })
     }
 }

@@ -7,15 +7,15 @@ use super::super::context::ViewContext;
 use super::studies::{color_of, studies};
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{self, Axis, Band, Chart, Series};
-use crate::widgets::legend::{self, Swatch};
-use crate::widgets::{deltas as labels, draw};
+use crate::widgets::legend::Swatch;
+use crate::widgets::{deltas as labels, draw, still};
 use bxdf_lab::analysis::deltas::{self, Arrows};
 use bxdf_study::format;
 use bxdf_study::views::sampling::Options;
 
 /// The density and f cos over its integral, in the section.
 pub(super) fn show_curves(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Swatch::Patch, cx.session, cx.palette);
+    cx.legend(ui, Swatch::Patch);
     let studies = studies(cx);
     let is_overlay = studies.len() > 1;
     let mut series = Vec::new();
@@ -100,7 +100,7 @@ fn delta_stems(cx: &mut ViewContext<'_, Options>) -> Vec<chart::Stem> {
 
 /// What samples weigh, on a logarithmic axis.
 pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    legend::show(ui, Swatch::Line, cx.session, cx.palette);
+    cx.legend(ui, Swatch::Line);
     let studies = studies(cx);
     let (mut series, mut bands, mut texts) = (Vec::new(), Vec::new(), Vec::new());
     let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
@@ -151,6 +151,7 @@ pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let y = Axis::of_values("share of the samples", [0.0, highest], None);
     let mut chart = Chart::of("Weights", [x, y], series);
     chart.bands = bands;
+    chart.has_labels = cx.state.is_figure() && studies.len() > 1;
     ui.label(RichText::new(texts.join("     ")).small().weak());
     let shown = chart.show(ui, None, cx.palette);
     if let Some([x, _]) = chart.pointed(&shown) {
@@ -185,48 +186,47 @@ pub(super) fn show_estimators(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     ui.label(format!(
         "Estimates of the integral of f cos from {count} samples each, deltas left out:"
     ));
-    ScrollArea::both()
-        .auto_shrink([false, false])
-        .show(ui, |ui| {
-            Grid::new("estimators")
-                .striped(true)
-                .spacing([16.0, 5.0])
-                .show(ui, |ui| {
-                    for (name, meaning) in ESTIMATOR_COLUMNS {
-                        ui.label(RichText::new(name).weak()).on_hover_text(meaning);
-                    }
-                    ui.end_row();
-                    for (entry, study) in &studies {
-                        let found = cx.session.materials.get(*entry);
-                        let title = found.map(|entry| cx.session.materials.title(entry));
-                        let [own, ..] = &study.estimators;
-                        for (index, estimator) in study.estimators.iter().enumerate() {
-                            ui.horizontal(|ui| {
-                                if index == 0 {
-                                    draw::swatch(ui, color_of(cx, *entry));
-                                    ui.label(title.as_deref().unwrap_or(""));
-                                }
-                            });
-                            ui.label(estimator.name);
-                            let samples_needed = estimator.variance / own.variance;
-                            for number in [
-                                estimator.mean,
-                                estimator.standard_error,
-                                estimator.variance,
-                                samples_needed,
-                            ] {
-                                let text = if number.is_finite() {
-                                    format::value(number)
-                                } else {
-                                    "-".to_owned()
-                                };
-                                ui.label(RichText::new(text).monospace());
+    let area = ScrollArea::both().auto_shrink([false, false]);
+    still::scroll(ui, area, |ui| {
+        Grid::new("estimators")
+            .striped(true)
+            .spacing([16.0, 5.0])
+            .show(ui, |ui| {
+                for (name, meaning) in ESTIMATOR_COLUMNS {
+                    ui.label(RichText::new(name).weak()).on_hover_text(meaning);
+                }
+                ui.end_row();
+                for (entry, study) in &studies {
+                    let found = cx.session.materials.get(*entry);
+                    let title = found.map(|entry| cx.session.materials.title(entry));
+                    let [own, ..] = &study.estimators;
+                    for (index, estimator) in study.estimators.iter().enumerate() {
+                        ui.horizontal(|ui| {
+                            if index == 0 {
+                                draw::swatch(ui, color_of(cx, *entry));
+                                ui.label(title.as_deref().unwrap_or(""));
                             }
-                            ui.end_row();
+                        });
+                        ui.label(estimator.name);
+                        let samples_needed = estimator.variance / own.variance;
+                        for number in [
+                            estimator.mean,
+                            estimator.standard_error,
+                            estimator.variance,
+                            samples_needed,
+                        ] {
+                            let text = if number.is_finite() {
+                                format::value(number)
+                            } else {
+                                "-".to_owned()
+                            };
+                            ui.label(RichText::new(text).monospace());
                         }
+                        ui.end_row();
                     }
-                });
-        });
+                }
+            });
+    });
 }
 
 /// The columns of the estimators: name and meaning.

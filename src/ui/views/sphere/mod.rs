@@ -10,7 +10,7 @@ use super::settings;
 use crate::theme;
 use crate::widgets::number::Number;
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
-use crate::widgets::{choice, draw};
+use crate::widgets::{choice, draw, still};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::half_difference::Spherical;
 use bxdf_lab::analysis::sphere::{self, Light, Picture, pair_at};
@@ -299,7 +299,7 @@ fn interact_strip(
     let response = ui.interact(
         strip,
         ui.scope_id().with(("on sphere", entry)),
-        Sense::click(),
+        still::sense(ui, Sense::click()),
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, format!("Sphere of {name}")));
     let Some(found) = cx.session.materials.get(entry) else {

@@ -7,8 +7,8 @@ use egui::{Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
 use super::super::context::{Lines, ViewContext};
 use super::pair::go_to;
 use super::plate::{self, PRECISIONS};
-use crate::widgets::draw;
 use crate::widgets::pictures::{self, ColorScale};
+use crate::widgets::{draw, still};
 use bxdf_lab::analysis::hemisphere::contour;
 use bxdf_lab::stability::map::{Axis, Cell, Map, Request};
 use bxdf_study::format;
@@ -72,7 +72,7 @@ fn show_map(
     let share = [request.x.share(&place), 1.0 - request.y.share(&place)];
     let at = pictures::position_of(rect, share);
     ui.painter().circle_stroke(at, 5.0, (1.5, cx.palette.ink));
-    let response = ui.interact(rect, id, Sense::click());
+    let response = ui.interact(rect, id, still::sense(ui, Sense::click()));
     let name = format!(
         "Map of {}",
         PRECISIONS.get(precision).copied().unwrap_or_default()

@@ -79,7 +79,10 @@ fn tabs(ui: &mut Ui, options: &mut Options) {
 /// The maps, with the list of the worst points beside or below them.
 fn maps_and_list(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let room = ui.available_size();
-    if room.x > theme::ADVICE_BESIDE {
+    if cx.state.is_figure() {
+        // The verdict names the worst of them.
+        map::show(ui, cx);
+    } else if room.x > theme::ADVICE_BESIDE {
         ui.horizontal_top(|ui| {
             ui.allocate_ui(egui::vec2(room.x - theme::ADVICE_WIDTH, room.y), |ui| {
                 ui.vertical(|ui| map::show(ui, cx));

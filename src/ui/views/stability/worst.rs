@@ -4,6 +4,7 @@ use egui::{RichText, ScrollArea, Ui};
 
 use super::super::context::ViewContext;
 use super::pair::go_to;
+use crate::widgets::still;
 use bxdf_lab::stability::{Extreme, Ranking};
 use bxdf_study::format;
 use bxdf_study::views::stability::Options;
@@ -48,42 +49,42 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
             .unwrap_or(std::cmp::Ordering::Equal)
     });
     let mut wanted = None;
-    ScrollArea::vertical()
-        .id_salt("worst points")
-        .show(ui, |ui| {
-            for extreme in ranked.into_iter().take(ROWS) {
-                let (Some(worst), case) = (&extreme.worst, extreme.case) else {
-                    continue;
-                };
-                let text = format!(
-                    "{}, {}: {}",
-                    case.title(),
-                    extreme.precision,
-                    format::share(extreme.max_bound_ratio)
-                );
-                let text = RichText::new(text).small();
-                let text = if extreme.is_stable() {
-                    text
-                } else {
-                    text.color(cx.palette.warning)
-                };
-                let hint = format!(
-                    "{}\n{} off by at most {} there; wo {}, wi {}",
-                    case.meaning(),
-                    worst.what,
-                    format::value(extreme.max_rel_error),
-                    place(worst.wo),
-                    place(worst.wi)
-                );
-                if ui
-                    .selectable_label(false, text)
-                    .on_hover_text(hint)
-                    .clicked()
-                {
-                    wanted = Some((worst.wo, worst.wi));
-                }
+    let area = ScrollArea::vertical().id_salt("worst points");
+    still::scroll(ui, area, |ui| {
+        for extreme in ranked.into_iter().take(ROWS) {
+            let (Some(worst), case) = (&extreme.worst, extreme.case) else {
+                continue;
+            };
+            let text = format!(
+                "{}, {}: {}",
+                case.title(),
+                extreme.precision,
+                format::share(extreme.max_bound_ratio)
+            );
+            let text = RichText::new(text).small();
+            let text = if extreme.is_stable() {
+                text
+            } else {
+                text.color(cx.palette.warning)
+            };
+            let hint = format!(
+                "{}\n{} off by at most {} there; wo {}, wi {}",
+                case.meaning(),
+                worst.what,
+                format::value(extreme.max_rel_error),
+                place(worst.wo),
+                place(worst.wi)
+            );
+            let line = if still::is(ui) {
+                ui.label(text)
+            } else {
+                ui.selectable_label(false, text)
+            };
+            if line.on_hover_text(hint).clicked() {
+                wanted = Some((worst.wo, worst.wi));
             }
-        });
+        }
+    });
     if let Some((wo, wi)) = wanted {
         go_to(cx, wo, wi);
     }

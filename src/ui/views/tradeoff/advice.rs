@@ -5,6 +5,7 @@ use egui::{RichText, ScrollArea, Ui};
 use super::super::context::ViewContext;
 use super::chosen::choose;
 use super::plot;
+use crate::widgets::still;
 use bxdf::Material;
 use bxdf_lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
 use bxdf_study::export::Format;
@@ -16,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Repo
     let mut advice = advise(report, tolerance);
     // The answer for the material as a whole comes first.
     advice.sort_by_key(|one| one.family != WHOLE);
-    ScrollArea::vertical().id_salt("advice").show(ui, |ui| {
+    still::scroll(ui, ScrollArea::vertical().id_salt("advice"), |ui| {
         let heading = format!("Cheapest within {}", format::share(tolerance));
         ui.label(RichText::new(heading).strong());
         for one in &advice {

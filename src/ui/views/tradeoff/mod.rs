@@ -48,8 +48,10 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     };
     let shown = cx.options.wanted(&report);
     let is_awaited = ordered.is_some_and(|ordered| ordered.is_awaited);
-    let is_beside = ui.available_width() > theme::ADVICE_BESIDE;
-    let has_list = is_beside || ui.available_height() > LIST_BELOW;
+    // In a figure the verdict says what there is to say.
+    let is_beside = ui.available_width() > theme::ADVICE_BESIDE && !cx.state.is_figure();
+    let is_below = ui.available_height() > LIST_BELOW && !cx.state.is_figure();
+    let has_list = is_beside || is_below;
     verdict::show(ui, cx, &shown, (is_awaited, has_list));
     if shown.families.iter().all(|family| family.points.is_empty()) {
         return;

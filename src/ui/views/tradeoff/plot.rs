@@ -83,7 +83,9 @@ pub(super) fn show(
         });
     }
     let shown = chart.show(ui, Some(height), cx.palette);
-    drag_tolerance(ui, cx, question, (&chart, &shown));
+    if !cx.state.is_picture {
+        drag_tolerance(ui, cx, question, (&chart, &shown));
+    }
     if let Some((family, index)) = *cx.state.own::<Chosen>(cx.view) {
         let chosen = families.iter().find(|one| one.id == family);
         if let Some(point) = chosen.and_then(|family| family.points.get(index)) {

@@ -1,10 +1,10 @@
 //! The names of curves, each beside its curve.
 
-use egui::{Pos2, Rect, Ui, vec2};
+use egui::{Pos2, Rect, RichText, Sense, Ui, vec2};
 
 use super::series::Series;
-use super::{Chart, Shown, draw};
-use crate::theme::Palette;
+use super::{Chart, Shown, choice, draw};
+use crate::theme::{self, Palette};
 
 /// Between the places that are tried and between those where curves are looked at, in points.
 const STEPS: [f32; 2] = [6.0, 2.0];
@@ -16,6 +16,31 @@ const GAP: f32 = 4.0;
 const CLEAR: f32 = 26.0;
 
 impl Chart {
+    /// The names of the curves with samples of their lines, in rows.
+    pub(super) fn name_series(&self, ui: &mut Ui) {
+        ui.horizontal_wrapped(|ui| {
+            let row = draw::label_scale(ui) * theme::LEGEND_ROW;
+            let spacing = ui.spacing_mut();
+            (spacing.item_spacing.y, spacing.interact_size.y) = (0.0, row);
+            for series in &self.series {
+                let font = draw::small_font(ui);
+                let painter = ui.painter();
+                let galley = painter.layout_no_wrap(series.name.clone(), font, series.color);
+                let gap = ui.spacing().item_spacing.x;
+                let width = theme::LINE_SAMPLE + galley.size().x + 2.0 * gap;
+                choice::keep_together(ui, width);
+                ui.horizontal(|ui| {
+                    let size = vec2(theme::LINE_SAMPLE, row);
+                    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+                    let ends = [rect.left_center(), rect.right_center()];
+                    let stroke = (series.width, series.color);
+                    draw::line(ui.painter(), ends, stroke, series.dash);
+                    ui.label(RichText::new(&series.name).small());
+                });
+            }
+        });
+    }
+
     /// Writes the name of each curve where it covers no curve, no line and no other name, as far as can be from the other
     /// curves. Where there is no such place it is left out: the pointer reads it out.
     pub(super) fn label_series(

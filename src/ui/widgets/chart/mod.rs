@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
-use egui::{Align2, IdSalt, Pos2, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, IdSalt, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 use egui_plot::{
     AxisHints, FilledArea, HLine, Line, Plot, PlotMemory, PlotPoint, PlotPoints, PlotTransform,
     PlotUi, Points, VLine,
 };
 
-use super::{choice, deltas, draw, reset};
+use super::{choice, deltas, draw, reset, still};
 use crate::theme::{self, Palette};
 pub use axis::Axis;
 use bxdf_study::format;
@@ -135,6 +135,8 @@ impl Chart {
             .show_crosshair(false)
             .allow_boxed_zoom(false)
             .allow_scroll(false)
+            .sense(still::sense(ui, Sense::click_and_drag()))
+            .allow_axis_zoom_drag(!still::is(ui))
             .label_formatter(|_| None);
         let plot = if self.x.is_angle {
             plot.x_grid_spacer(|input| axis::angle_marks(input.bounds))
@@ -225,31 +227,6 @@ impl Chart {
             let line = HLine::new("", self.y.place(level.at)).stroke((1.5, level.color));
             plot_ui.hline(line.style(style(level.dash)).allow_hover(false));
         }
-    }
-
-    /// The names of the curves with samples of their lines, in rows.
-    fn name_series(&self, ui: &mut Ui) {
-        ui.horizontal_wrapped(|ui| {
-            let row = draw::label_scale(ui) * theme::LEGEND_ROW;
-            let spacing = ui.spacing_mut();
-            (spacing.item_spacing.y, spacing.interact_size.y) = (0.0, row);
-            for series in &self.series {
-                let font = draw::small_font(ui);
-                let painter = ui.painter();
-                let galley = painter.layout_no_wrap(series.name.clone(), font, series.color);
-                let gap = ui.spacing().item_spacing.x;
-                let width = theme::LINE_SAMPLE + galley.size().x + 2.0 * gap;
-                choice::keep_together(ui, width);
-                ui.horizontal(|ui| {
-                    let size = vec2(theme::LINE_SAMPLE, row);
-                    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-                    let ends = [rect.left_center(), rect.right_center()];
-                    let stroke = (series.width, series.color);
-                    draw::line(ui.painter(), ends, stroke, series.dash);
-                    ui.label(RichText::new(&series.name).small());
-                });
-            }
-        });
     }
 
     /// The names of the marks at the top, of the levels at the right. Returns where they stand.

@@ -5,7 +5,7 @@ use egui::{
     Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
 };
 
-use super::draw;
+use super::{draw, still};
 use crate::theme::{self, Palette};
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, Session};
@@ -22,6 +22,9 @@ const GAP: f32 = 8.0;
 
 /// How much a grid without empty places is preferred to larger pictures.
 const FILLING: f32 = 0.3;
+
+/// Width over height that the charts of several materials may have.
+const CHART_ASPECTS: [f32; 5] = [0.9, 1.2, 1.6, 2.1, 2.8];
 
 /// A place for a picture: square, with a title above where there are several.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +74,19 @@ fn below_titles(room: Rect, n: usize, (aspect, title): (f32, f32)) -> Vec<Cell> 
         .collect()
 }
 
+/// Places for the charts of `n` materials in `room`: of grids of charts of several shapes the one that leaves the most room
+/// for one.
+#[must_use]
+pub fn cells_of_charts(ui: &Ui, room: Rect, n: usize) -> Vec<Cell> {
+    if n < 2 {
+        return cells(ui, room, n, room.aspect_ratio());
+    }
+    let grids = CHART_ASPECTS.map(|aspect| cells(ui, room, n, aspect));
+    let area = |cells: &Vec<Cell>| cells.first().map_or(0.0, |cell| cell.picture.area());
+    let largest = grids.into_iter().max_by(|a, b| area(a).total_cmp(&area(b)));
+    largest.unwrap_or_default()
+}
+
 /// A place of a picture in 0..1 from the upper left, and back.
 #[must_use]
 pub fn share_of(rect: Rect, position: Pos2) -> [f64; 2] {
@@ -109,7 +125,8 @@ pub fn show(
     let texture = textures.get(ui, id, made_of, paint);
     texture.paint(ui.painter(), cell.picture);
     let name = title(ui, cell, picture.entry, session, palette);
-    let response = ui.interact(cell.picture, id, Sense::click_and_drag());
+    let sense = still::sense(ui, Sense::click_and_drag());
+    let response = ui.interact(cell.picture, id, sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &name));
     response
 }
@@ -131,21 +148,14 @@ pub fn title(
     }
     let color = palette.material(of.slot());
     let is_selected = session.materials.selected().id() == entry;
-    let response = ui.interact(
-        cell.title,
-        ui.scope_id().with(("title", entry)),
-        Sense::click(),
-    );
-    response.widget_info(|| {
-        WidgetInfo::selected(Role::Button, true, is_selected, format!("Picture: {name}"))
-    });
+    let is_strong = is_selected || still::is(ui);
     let painter = ui.painter_at(cell.title);
     let swatch = Rect::from_min_size(
         cell.title.min + vec2(0.0, 0.5 * (cell.title.height() - theme::SWATCH.y)),
         theme::SWATCH,
     );
     painter.rect_filled(swatch, 2.0, color);
-    let ink = if is_selected {
+    let ink = if is_strong {
         palette.ink
     } else {
         palette.faint_ink
@@ -156,6 +166,14 @@ pub fn title(
     let galley = text.into_galley(ui, wrap, width, FontSelection::Default);
     let place = swatch.right_center() + vec2(5.0, -0.5 * galley.size().y);
     painter.galley_with_override_text_color(place, galley, ink);
+    if still::is(ui) {
+        return name;
+    }
+    let id = ui.scope_id().with(("title", entry));
+    let response = ui.interact(cell.title, id, Sense::click());
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::Button, true, is_selected, format!("Picture: {name}"))
+    });
     if response.on_hover_text(&name).clicked() {
         session.materials.select(entry);
     }
@@ -179,6 +197,7 @@ pub fn color_bar(ui: &Ui, room: Rect, scale: ColorScale, name: &str, palette: &P
     if bar.height() < 20.0 || room.width() < 3.0 * (text_width + WIDTH) {
         return room;
     }
+    still::follows_room(ui, room.with_min_x(bar.left() - GAP));
     for step in 0..STEPS {
         let [from, to] = [step, step + 1].map(|step| step as f64 / STEPS as f64);
         let corner = |share: f64| bar.bottom() - share as f32 * bar.height();

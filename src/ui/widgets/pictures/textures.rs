@@ -44,8 +44,8 @@ struct Kept {
     look: Option<ColorScale>,
     texture: Texture,
     is_used: bool,
-    /// Whether it shows what was, because it had no turn yet.
-    waits: bool,
+    /// For how many frames it has shown what was, because it had no turn yet.
+    waits: u32,
 }
 
 impl Textures {
@@ -113,7 +113,7 @@ impl Textures {
             look,
             texture: texture.clone(),
             is_used: true,
-            waits: false,
+            waits: 0,
         };
         self.kept.insert(id, kept);
         texture

@@ -16,9 +16,9 @@ pub struct Turns {
     /// Without one, as for pictures that are files, all is painted at once.
     clock: Option<Clock>,
     spent: f64,
-    /// Whether somebody waits from the last frame, and whether somebody will in the next one.
-    has_waited: bool,
-    is_waiting: bool,
+    /// For how many frames somebody had waited at the end of the last one, and will have at the end of this one.
+    longest: u32,
+    next_longest: u32,
 }
 
 impl Turns {
@@ -34,26 +34,27 @@ impl Turns {
     /// Begins a frame.
     pub fn begin_frame(&mut self) {
         self.spent = 0.0;
-        self.has_waited = std::mem::take(&mut self.is_waiting);
+        self.longest = std::mem::take(&mut self.next_longest);
     }
 
-    /// What `work` makes, where it has its turn; those that had none in the last frame go before the others. `waits`: whether
-    /// it had none.
+    /// What `work` makes, where it has its turn: those that have waited for most frames have it first. `waits`: for how many it
+    /// has.
     pub fn take<T>(
         &mut self,
         ctx: &Context,
-        waits: &mut bool,
+        waits: &mut u32,
         work: impl FnOnce() -> T,
     ) -> Option<T> {
         let Some(clock) = self.clock else {
             return Some(work());
         };
-        if self.spent >= BUDGET || (self.has_waited && !*waits) {
-            (*waits, self.is_waiting) = (true, true);
+        if self.spent >= BUDGET || *waits < self.longest {
+            *waits += 1;
+            self.next_longest = self.next_longest.max(*waits);
             ctx.request_repaint();
             return None;
         }
-        *waits = false;
+        *waits = 0;
         Some(self.timed(clock, work))
     }
 
@@ -76,14 +77,14 @@ impl Turns {
 /// A value that is kept while its inputs stay the same, and a little longer where it has to wait for its turn.
 pub struct Turned<K, V> {
     memo: Memo<K, V>,
-    waits: bool,
+    waits: u32,
 }
 
 impl<K, V> Default for Turned<K, V> {
     fn default() -> Self {
         Self {
             memo: Memo::default(),
-            waits: false,
+            waits: 0,
         }
     }
 }
@@ -122,12 +123,12 @@ mod tests {
         NOW.get()
     }
 
-    /// Eight pictures that change in every frame and take 2 ms each: none waits for more than two frames.
+    /// Eight pictures that change in every frame and take 2 ms each: none waits for more than four frames.
     #[test]
     fn everybody_has_a_turn_while_everything_moves() {
         let mut turns = Turns::by(Some(clock));
         let ctx = Context::default();
-        let mut waiting = [false; 8];
+        let mut waiting = [0; 8];
         let mut last = [0; 8];
         for frame in 1..50 {
             turns.begin_frame();
@@ -139,7 +140,7 @@ mod tests {
             }
             assert!(turns.spent < BUDGET + 2e-3);
             assert!(
-                frame < 4 || last.iter().all(|last| frame - last <= 3),
+                frame < 5 || last.iter().all(|last| frame - last <= 4),
                 "{last:?}"
             );
         }
@@ -149,7 +150,7 @@ mod tests {
     fn without_a_clock_nobody_waits() {
         let mut turns = Turns::default();
         for _ in 0..100 {
-            let made = turns.take(&Context::default(), &mut false, || 1);
+            let made = turns.take(&Context::default(), &mut 0, || 1);
             assert_eq!(made, Some(1));
         }
     }

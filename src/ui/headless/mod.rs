@@ -6,8 +6,10 @@ use egui_kittest::{Harness, HarnessBuilder};
 use wgpu::Backends;
 
 use super::app::App;
-pub use super::app::Picture;
+pub use super::app::{Figure, OnScreen, Picture, Title};
 use bxdf::error::{Error, Result};
+
+mod page;
 
 /// The most frames a picture takes to settle: layout needs two or three.
 const MAX_FRAMES: u64 = 32;
@@ -22,7 +24,13 @@ impl Picture {
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
     pub fn png(self) -> Result<Vec<u8>> {
-        encoded(&self.image()?)
+        let page = self.figure.as_ref().and_then(|figure| figure.page);
+        let image = self.image()?;
+        let width = page.and_then(|page| page.print_width_mm);
+        encoded(
+            &image,
+            width.map(|mm| f64::from(image.width()) / (1e-3 * mm)),
+        )
     }
 
     /// Draws the picture.
@@ -30,18 +38,28 @@ impl Picture {
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
     pub fn image(self) -> Result<image::RgbaImage> {
-        let failed = |problem: String| Error::Platform {
-            problem: format!("the picture cannot be drawn: {problem}"),
-            remedy: "a smaller --size or --scale may do".to_owned(),
-        };
-        self.settled(App::for_picture)?.render().map_err(failed)
+        rendered(&mut self.drawn()?)
+    }
+
+    /// The running application behind the picture, settled, which can draw it.
+    ///
+    /// # Errors
+    /// [`Error::Platform`] without a graphics adapter.
+    pub(crate) fn drawn(self) -> Result<Harness<'static, App>> {
+        let figure = self.figure.clone();
+        let mut harness = self.settled(|app| app.for_picture(figure.as_ref()))?;
+        page::fit(&mut harness, figure.as_ref());
+        Ok(harness)
     }
 
     /// The running application behind the picture, settled, on a machine that need not be able to draw: what it paints is
     /// there as shapes.
     #[must_use]
     pub fn shapes(self) -> Harness<'static, App> {
-        self.undrawn(App::for_picture)
+        let figure = self.figure.clone();
+        let mut harness = self.undrawn(|app| app.for_picture(figure.as_ref()));
+        page::fit(&mut harness, figure.as_ref());
+        harness
     }
 
     /// The running application, settled, as a hand finds it at the screen, on a machine that need not be able to draw.
@@ -89,21 +107,42 @@ impl Picture {
     }
 }
 
-/// A picture as the bytes of a PNG file.
+/// Draws what an application shows.
+///
+/// # Errors
+/// [`Error::Platform`] where the adapter fails.
+pub(crate) fn rendered(harness: &mut Harness<'_, App>) -> Result<image::RgbaImage> {
+    harness.render().map_err(|problem| Error::Platform {
+        problem: format!("the picture cannot be drawn: {problem}"),
+        remedy: "a smaller size may do".to_owned(),
+    })
+}
+
+/// A picture as the bytes of a PNG file; `density`: its pixels per metre in print, where it has a size there.
 ///
 /// # Errors
 /// [`Error::Platform`] where it cannot be encoded.
-pub fn encoded(image: &image::RgbaImage) -> Result<Vec<u8>> {
+pub fn encoded(image: &image::RgbaImage, density: Option<f64>) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    image
-        .write_to(
-            &mut std::io::Cursor::new(&mut bytes),
-            image::ImageFormat::Png,
-        )
-        .map_err(|error| Error::Platform {
-            problem: format!("the picture cannot be encoded: {error}"),
-            remedy: "a smaller size may do".to_owned(),
-        })?;
+    let mut encoder = png::Encoder::new(&mut bytes, image.width(), image.height());
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_pixel_dims(density.map(|density| {
+        let per_metre = density.round() as u32;
+        png::PixelDimensions {
+            xppu: per_metre,
+            yppu: per_metre,
+            unit: png::Unit::Meter,
+        }
+    }));
+    let written = encoder.write_header().and_then(|mut writer| {
+        writer.write_image_data(image)?;
+        writer.finish()
+    });
+    written.map_err(|error| Error::Platform {
+        problem: format!("the picture cannot be encoded: {error}"),
+        remedy: "a smaller size may do".to_owned(),
+    })?;
     Ok(bytes)
 }
 
