@@ -104,13 +104,22 @@ fn every_view() -> Views {
     Place::column(VIEWS.chunks(IN_A_ROW).map(row).collect()).into()
 }
 
+/// The size of the window, in points: a large one where it is full of views.
+fn size(session: &Session) -> egui::Vec2 {
+    if session.views.ids().len() == VIEWS.len() {
+        egui::vec2(2560.0, 1600.0)
+    } else {
+        egui::vec2(1280.0, 800.0)
+    }
+}
+
 /// The window with `session`, settled.
 fn window(session: &Session, clock: Option<Clock>) -> Harness<'static, App> {
-    let session = session.clone();
+    let shown = session.clone();
     let mut harness = Harness::builder()
-        .with_size(egui::vec2(1280.0, 800.0))
+        .with_size(size(session))
         .with_max_steps(32)
-        .build_eframe(|cc| App::new(cc, session, None, clock));
+        .build_eframe(|cc| App::new(cc, shown, None, clock));
     harness.run_ok();
     settle(&mut harness);
     harness

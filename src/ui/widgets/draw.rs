@@ -41,8 +41,8 @@ pub fn label_scale(ui: &Ui) -> f32 {
     small_font(ui).size / theme::SMALL_TEXT
 }
 
-/// Text on a patch of background, so that it stays readable over lines. It is moved to stay inside the clip rectangle.
-/// Returns where it stands.
+/// Text on a patch of background, so that it stays readable over lines. It is moved to stay inside the clip rectangle,
+/// and broken into lines where that is too narrow for it. Returns where it stands.
 #[expect(clippy::must_use_candidate, reason = "most only want it to be drawn")]
 pub fn haloed_text(
     painter: &Painter,
@@ -53,13 +53,15 @@ pub fn haloed_text(
     color: Color32,
     palette: &Palette,
 ) -> Rect {
-    let galley = painter.layout_no_wrap(text.to_owned(), font, color);
-    let rect = inside(
-        anchor.anchor_size(position, galley.size()),
-        painter.clip_rect(),
-    );
+    let (room, halo) = (painter.clip_rect(), vec2(3.0, 1.0));
+    let width = room.width() - 2.0 * halo.x;
+    let mut galley = painter.layout_no_wrap(text.to_owned(), font.clone(), color);
+    if galley.size().x > width {
+        galley = painter.layout(text.to_owned(), font, color, width);
+    }
+    let rect = inside(anchor.anchor_size(position, galley.size()), room);
     painter.rect_filled(
-        rect.expand2(vec2(3.0, 1.0)),
+        rect.expand2(halo),
         3.0,
         palette.background.gamma_multiply(0.8),
     );
@@ -251,6 +253,21 @@ mod tests {
             moved,
             Rect::from_min_size(Pos2::new(80.0, 0.0), vec2(20.0, 10.0))
         );
+    }
+
+    #[test]
+    fn a_note_that_is_too_wide_is_broken_into_lines() {
+        let context = egui::Context::default();
+        let _ = context.run_ui(egui::RawInput::default(), |ui| {
+            let room = Rect::from_min_size(Pos2::new(5.0, 5.0), vec2(120.0, 90.0));
+            let (painter, corner) = (ui.painter_at(room), room.left_bottom());
+            let note = "Channels are clipped where it is brightest: lower the exposure";
+            let (font, palette) = (small_font(ui), Palette::of(ui.theme()));
+            let (anchor, ink) = (Align2::LEFT_BOTTOM, palette.ink);
+            let rect = haloed_text(&painter, corner, anchor, note, font.clone(), ink, &palette);
+            assert!(room.contains_rect(rect), "{rect}");
+            assert!(rect.height() > 2.0 * font.size);
+        });
     }
 
     #[test]
