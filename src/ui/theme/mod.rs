@@ -218,7 +218,7 @@ impl Dash {
 pub const LARGE_TEXT: f32 = 20.0;
 
 /// The size of text of secondary rank, in points.
-pub const SMALL_TEXT: f32 = 11.5;
+pub const SMALL_TEXT: f32 = 13.0;
 
 /// Makes the text of a view, which is that of its plots, larger by this factor.
 pub fn enlarge_labels(style: &mut egui::Style, factor: f32) {

@@ -20,7 +20,7 @@ use bxdf_study::views::slice::{DIFFERENCE_AZIMUTH, Options};
 const END_ROOM: egui::Vec2 = vec2(4.0, 12.0);
 
 /// Room for the names and numbers of the axes, in points: at the left and below.
-const LABELS: egui::Vec2 = vec2(34.0, 30.0);
+const LABELS: egui::Vec2 = vec2(42.0, 34.0);
 
 /// Between the title and the picture, in points.
 const TITLE_GAP: f32 = 5.0;
@@ -232,13 +232,21 @@ fn draw_axes(ui: &Ui, rect: Rect, request: &Request, taken: &mut Vec<Rect>, pale
     } else {
         "θh (half vector)"
     };
-    let below = rect.center_bottom() + vec2(0.0, draw::label_scale(ui) * 16.0);
-    painter.text(below, Align2::CENTER_TOP, name, font.clone(), palette.ink);
-    let galley = painter.layout_no_wrap("θd (difference)".to_owned(), font, palette.ink);
-    let corner =
-        rect.left_center() + vec2(-draw::label_scale(ui) * LABELS.x, 0.5 * galley.size().x);
-    let text = egui::epaint::TextShape::new(corner, galley, palette.ink);
-    painter.add(text.with_angle(-std::f32::consts::FRAC_PI_2));
+    // Where an edge is shorter than its name, the name is left out: beside others it would lie over theirs.
+    let named = |name: &str| {
+        let galley = painter.layout_no_wrap(name.to_owned(), font.clone(), palette.ink);
+        Some(galley).filter(|galley| galley.size().x <= rect.width())
+    };
+    let scale = draw::label_scale(ui);
+    if let Some(galley) = named(name) {
+        let below = rect.center_bottom() + vec2(-0.5 * galley.size().x, scale * 18.0);
+        painter.galley(below, galley, palette.ink);
+    }
+    if let Some(galley) = named("θd (difference)") {
+        let corner = rect.left_center() + vec2(-scale * LABELS.x, 0.5 * galley.size().x);
+        let text = egui::epaint::TextShape::new(corner, galley, palette.ink);
+        painter.add(text.with_angle(-std::f32::consts::FRAC_PI_2));
+    }
 }
 
 /// The name of a region, inside the picture.

@@ -185,7 +185,7 @@ impl Standing<'_> {
         let painter = ui.painter_at(room.expand(4.0));
         let line = font.size + 4.0;
         let frame = Rect::from_min_max(
-            room.min + vec2(46.0, line + 4.0),
+            room.min + vec2(52.0, line + 4.0),
             room.max - vec2(6.0, line),
         );
         let faint = self.palette.faint_ink;

@@ -264,7 +264,11 @@ impl Chart {
             if frame.y_range().contains(y) {
                 let place = Pos2::new(frame.right() - 4.0, y - 2.0);
                 let rect = Align2::RIGHT_BOTTOM.anchor_size(place, size(level));
-                write(level, draw::free_place(&mut taken, rect));
+                let place = draw::free_place(&mut taken, rect);
+                let is_over = |other: &Rect| *other != place && other.intersects(place);
+                if frame.contains_rect(place) && !taken.iter().any(is_over) {
+                    write(level, place);
+                }
             }
         }
         taken
