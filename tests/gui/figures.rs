@@ -52,7 +52,7 @@ pub(super) fn figure(mut shown: Session, id: &str, purpose: Use, theme: Theme) -
 }
 
 /// The uses that have a page of their own.
-fn uses() -> impl Iterator<Item = Use> {
+pub(super) fn uses() -> impl Iterator<Item = Use> {
     let sized = USES.iter().filter(|spec| spec.page.is_some());
     sized.map(|spec| spec.purpose)
 }

@@ -6,6 +6,7 @@ use brdf_explorer::ui::app::App;
 use egui::{Rect, Shape, Theme};
 use egui_kittest::Harness;
 
+use super::figures::{figure, uses};
 use super::{picture, session};
 
 /// Lobes as unlike as they come: broad, narrow, backwards, in deltas, on both sides, and brushed.
@@ -127,6 +128,23 @@ fn no_text_of_a_window_lies_over_another() {
                 let shown = picture(shown, None, size, Theme::Dark).controls();
                 for fault in faults(&shown, true) {
                     all.push(format!("{} of {count} in {size:?}: {fault}", ready.name));
+                }
+            }
+        }
+    }
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+#[test]
+fn no_text_of_a_figure_lies_over_another() {
+    let mut all = Vec::new();
+    for view in &VIEWS {
+        for count in [1, 3, 6] {
+            for purpose in uses() {
+                let shown = session(&SIX[6 - count..]);
+                let shown = figure(shown, view.id, purpose, Theme::Light).shapes();
+                for fault in faults(&shown, false) {
+                    all.push(format!("{} of {count} in {purpose:?}: {fault}", view.id));
                 }
             }
         }

@@ -79,9 +79,13 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     still::scroll(ui, area, |ui| {
         ui.horizontal_wrapped(|ui| {
             for (name, w) in report.angles() {
-                ui.label(RichText::new(name.0).strong())
-                    .on_hover_text(name.1);
                 let text = w.map_or_else(|| "-".to_owned(), spherical);
+                let body = TextStyle::Body;
+                let width = [name.0, &text].map(|text| choice::width_of(ui, text, &body));
+                let gap = ui.spacing().item_spacing.x;
+                choice::keep_together(ui, width.iter().sum::<f32>() + gap);
+                let name_of = ui.label(RichText::new(name.0).strong());
+                name_of.on_hover_text(name.1);
                 ui.label(text);
                 ui.add_space(8.0);
             }

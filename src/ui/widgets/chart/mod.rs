@@ -150,8 +150,14 @@ impl Chart {
         } else {
             plot
         };
-        if PlotMemory::load(ui.ctx(), id).is_none() {
-            // How wide its numbers are is known from the second frame on.
+        // How much room its numbers and names take is known from the second frame on.
+        let names = [&self.x.name, &self.y.name].map(|name| name.is_empty());
+        let look = (names, [room.x, room.y].map(f32::to_bits));
+        let before = ui.data_mut(|data| {
+            let kept = data.get_temp_mut_or_default::<Option<([bool; 2], [u32; 2])>>(id);
+            kept.replace(look)
+        });
+        if before != Some(look) {
             ui.ctx().request_repaint();
         }
         let shown = plot.show(ui, |plot_ui| {
