@@ -151,8 +151,11 @@ fn the_laws_stand_in_one_line() {
         .unwrap();
     let rect = |label: &str| harness.get_by_label(label).rect();
     let first = rect("Reciprocity of Rough conductor: kept");
-    let last = rect("Isotropy of Rough conductor: anisotropic");
-    assert_eq!(first.top(), last.top());
+    let [second, last] =
+        ["Energy", "Non-negativity"].map(|law| rect(&format!("{law} of Rough conductor: kept")));
+    assert_eq!([second.top(), last.top()], [first.top(); 2]);
+    let kind = rect("Isotropy of Rough conductor: anisotropic");
+    assert!(kind.top() >= first.bottom() && kind.left() == first.left());
     assert!(last.right() < brdf_explorer::ui::theme::SIDE_WIDTH);
 }
 

@@ -293,19 +293,19 @@ fn labels_grow_by_themselves_and_stay_so() {
     let mut harness = window("gold");
     work_in(&mut harness, &folder);
     harness.run();
-    let [label, other] = ["45°", "Your materials"].map(|text| size(&harness, text));
+    let [label, other] = ["30°", "Your materials"].map(|text| size(&harness, text));
     click(&mut harness, "Theme");
     click(&mut harness, "Labels at 200 %");
     harness.run();
-    assert!(size(&harness, "45°") > 1.8 * label);
+    assert!(size(&harness, "30°") > 1.8 * label);
     assert_eq!(size(&harness, "Your materials"), other);
     let mut next = window("gold");
     work_in(&mut next, &folder);
     next.run();
-    assert!(size(&next, "45°") > 1.8 * label);
+    assert!(size(&next, "30°") > 1.8 * label);
     next.key_press_modifiers(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::L);
     next.run();
-    assert_eq!(size(&next, "45°"), label);
+    assert_eq!(size(&next, "30°"), label);
 }
 
 #[test]

@@ -40,7 +40,11 @@ fn view(id: &str, clock: Option<Clock>) -> Harness<'static, App> {
 /// end in corners that are none.
 fn settled(harness: &mut Harness<'_, App>) -> Vec<([u32; 2], Color32)> {
     let begin = Instant::now();
-    while harness.state().shown() != Some(Detail::Full) {
+    // What follows the answers, a scale that goes over or a picture that waits for its turn, asks for further frames.
+    let is_moving = |harness: &Harness<'_, App>| {
+        harness.state().shown() != Some(Detail::Full) || harness.ctx.has_requested_repaint()
+    };
+    while is_moving(harness) {
         assert!(begin.elapsed() < PATIENCE, "the answers never come");
         std::thread::sleep(Duration::from_millis(1));
         harness.step();

@@ -142,6 +142,10 @@ impl Badges<'_> {
             (spacing.item_spacing, spacing.button_padding) = theme::BADGE_SPACING;
             spacing.interact_size.y = theme::BADGE_HEIGHT;
             for law in PHYSICAL {
+                // No law, but what kind of surface it is: on a line of its own, so that all stay where they are.
+                if law == LawId::Isotropy {
+                    ui.end_row();
+                }
                 if self.badge(ui, law, palette).clicked() {
                     wished = self.report(law).map(|report| report.witness.clone());
                 }
