@@ -98,27 +98,21 @@ impl Axis {
         if !self.is_cut || line.iter().all(|[_, y]| (low..=high).contains(y)) {
             return vec![line];
         }
-        let mut pieces: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
-        for (index, from) in line.iter().enumerate() {
-            let last = pieces.last_mut();
-            let Some(to) = line.get(index + 1) else {
-                if (low..=high).contains(&from[1]) {
-                    last.into_iter().for_each(|piece| piece.push(*from));
-                }
-                break;
-            };
+        let (mut pieces, mut piece) = (Vec::new(), Vec::new());
+        for pair in line.windows(2) {
+            let [from, to] = pair else { continue };
             let Some([begin, end]) = between([*from, *to], [low, high]) else {
                 continue;
             };
-            last.into_iter().for_each(|piece| piece.push(begin));
+            if piece.is_empty() {
+                piece.push(begin);
+            }
+            piece.push(end);
             if end != *to {
-                pieces
-                    .last_mut()
-                    .into_iter()
-                    .for_each(|piece| piece.push(end));
-                pieces.push(Vec::new());
+                pieces.push(std::mem::take(&mut piece));
             }
         }
+        pieces.push(piece);
         pieces.retain(|piece| !piece.is_empty());
         pieces
     }
@@ -255,7 +249,7 @@ mod tests {
             ..open.clone()
         };
         let line = vec![[0.0, 0.5], [1.0, 1.5], [2.0, 1.5], [3.0, 0.5], [4.0, -0.5]];
-        assert_eq!(open.cut(line.clone()), [line.clone()]);
+        assert_eq!(open.cut(line.clone()), std::slice::from_ref(&line));
         let pieces = cut.cut(line.clone());
         assert_eq!(
             pieces,

@@ -151,7 +151,7 @@ impl Chart {
             plot
         };
         // How much room its numbers and names take is known from the second frame on.
-        let names = [&self.x.name, &self.y.name].map(|name| name.is_empty());
+        let names = [&self.x.name, &self.y.name].map(String::is_empty);
         let look = (names, [room.x, room.y].map(f32::to_bits));
         let before = ui.data_mut(|data| {
             let kept = data.get_temp_mut_or_default::<Option<([bool; 2], [u32; 2])>>(id);

@@ -84,13 +84,13 @@ impl Textures {
             return kept.texture.clone();
         }
         let painted = match self.kept.get_mut(&id) {
-            Some(kept) => match self.turns.take(ui.ctx(), &mut kept.waits, paint) {
-                Some(painted) => painted,
-                None => {
+            Some(kept) => {
+                let Some(painted) = self.turns.take(ui.ctx(), &mut kept.waits, paint) else {
                     kept.is_used = true;
                     return kept.texture.clone();
-                }
-            },
+                };
+                painted
+            }
             None => self.turns.at_once(paint),
         };
         // Before the first answer there is no pixel; a graphics processor wants one.
