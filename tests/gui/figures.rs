@@ -6,7 +6,7 @@ use brdf_explorer::study::colors;
 use brdf_explorer::study::export::Format;
 use brdf_explorer::study::export::figure::{FigureChoice, USES, Use};
 use brdf_explorer::study::session::Session;
-use brdf_explorer::study::store::{Disk, Store};
+use brdf_explorer::study::store::{Answer, Disk, Store};
 use brdf_explorer::study::views::{self, VIEWS};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::export;
@@ -286,4 +286,48 @@ fn a_title_of_one_s_own_stands_in_its_place() {
     own.figure.as_mut().unwrap().title = Title::None;
     let (_, texts) = controls_and_texts(&own.shapes());
     assert!(texts.is_empty(), "{texts:?}");
+}
+
+/// People name their materials in scripts that no font of the program has.
+#[test]
+fn a_name_without_glyphs_is_drawn_as_boxes() {
+    let mut shown = session(&["brass"]);
+    shown.materials.selected_mut().name = "\u{65e5}\u{672c}".to_owned();
+    for purpose in uses() {
+        let image = figure(shown.clone(), "polar", purpose, Theme::Light).image();
+        assert!(image.is_ok());
+    }
+}
+
+/// The window of a figure closes, and where the system has no dialogs a path is typed: keys are for it alone.
+#[test]
+fn a_path_is_typed_after_the_window_of_a_figure() {
+    let folder = Folder::new("figure-path");
+    let mut harness = window("gold");
+    let script = work_in(&mut harness, &folder);
+    for name in ["first.svg", "second.png"] {
+        press(&mut harness, Modifiers::COMMAND, Key::E);
+        script.borrow_mut().answers.push(Answer::NoDialog);
+        harness.get_by_label("Picture (PNG)…").click();
+        harness.run_steps(4);
+        let before = harness.state().session.clone();
+        let field = harness.get_by_label("Path of the file");
+        assert!(field.is_focused(), "{name}");
+        let path = folder.file(name).display().to_string();
+        press(&mut harness, Modifiers::COMMAND, Key::A);
+        harness.get_by_label("Path of the file").type_text(&path);
+        harness.run_steps(2);
+        press(&mut harness, Modifiers::NONE, Key::Enter);
+        assert!(harness.state().session == before, "no letter was a command");
+        let is_refused = name.ends_with("svg");
+        let said = harness.query_by_label_contains("the name of another kind of file");
+        assert_eq!(said.is_some(), is_refused, "{name}");
+        if is_refused {
+            press(&mut harness, Modifiers::NONE, Key::Escape);
+        }
+        while harness.state().is_exporting() {
+            harness.step();
+        }
+        assert_eq!(folder.file(name).exists(), !is_refused);
+    }
 }

@@ -315,13 +315,18 @@ impl Store {
     }
 
     fn read_preferences(&self) -> Preferences {
-        // Where they are missing or broken there are none: nothing but convenience is lost.
+        // Where they are missing or broken there are none: nothing but convenience is lost, and of one broken line only that.
         let text = self
             .own_file(PREFERENCES)
             .and_then(|path| self.places.text(&path).ok());
-        let mut read: Preferences = text
-            .and_then(|text| toml::from_str(&text).ok())
-            .unwrap_or_default();
+        let table: Option<toml::Table> = text.and_then(|text| toml::from_str(&text).ok());
+        let is_sound = |key: &String, value: &toml::Value| {
+            let alone = toml::Table::from_iter([(key.clone(), value.clone())]);
+            alone.try_into::<Preferences>().is_ok()
+        };
+        let sound = table.into_iter().flatten();
+        let sound: toml::Table = sound.filter(|(key, value)| is_sound(key, value)).collect();
+        let mut read: Preferences = sound.try_into().unwrap_or_default();
         read.recent.truncate(MAX_RECENT);
         read.window = read.window.filter(WindowPlace::is_allowed);
         read

@@ -68,7 +68,7 @@ impl App {
             FileDialog::Open => self.open(path, ctx),
             FileDialog::Save(_) => self.save_to(path, Store::save)?,
             FileDialog::SaveWithData(_) => self.save_to(path, Store::save_with_data)?,
-            FileDialog::Export(_) => self.export_to(path, ctx),
+            FileDialog::Export(_) => self.export_to(path, ctx)?,
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Exporting a view from the window: where to is asked, what is written is made by threads of the pool.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::TryRecvError;
 use std::time::Duration;
@@ -12,7 +13,7 @@ use super::picture::{Maker, OnScreen, Picture, Title};
 use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::export::figure::FigureChoice;
-use bxdf_study::export::{FORMATS, Format};
+use bxdf_study::export::{FORMATS, Format, format_of};
 use bxdf_study::session::ViewId;
 use bxdf_study::store::FileDialog;
 
@@ -49,11 +50,25 @@ impl App {
     }
 
     /// Begins to make the file that was asked for.
-    pub(super) fn export_to(&mut self, path: &Path, ctx: &Context) {
-        let Some(asked) = self.exports.asked.take() else {
-            return;
+    ///
+    /// # Errors
+    /// Where its name ends as that of another kind of file.
+    pub(super) fn export_to(&mut self, path: &Path, ctx: &Context) -> Result<()> {
+        let wanted = self.exports.asked.as_ref().map(|asked| asked.format);
+        let named = path.extension().and_then(OsStr::to_str).and_then(format_of);
+        if let (Some(wanted), Some(named)) = (wanted, named)
+            && wanted != named
+        {
+            let spec = FORMATS.iter().find(|spec| spec.format == wanted);
+            let (title, extension) = spec.map_or(("", ""), |spec| (spec.title, spec.extension));
+            return Err(Error::parse(
+                path.display().to_string(),
+                format!("the name of another kind of file: end that of a {title} in .{extension}"),
+            ));
+        }
+        let (Some(asked), Some(maker)) = (self.exports.asked.take(), self.maker()) else {
+            return Ok(());
         };
-        let Some(maker) = self.maker() else { return };
         let format = asked.format;
         let picture = self.picture_of(asked.view, asked.title, ctx);
         let path = Some(path.to_owned());
@@ -62,6 +77,7 @@ impl App {
             move || (maker.file)(picture, format).map(Made::File),
             ctx,
         );
+        Ok(())
     }
 
     /// Begins to make a picture of a view for the clipboard: the one that a file of it would hold.

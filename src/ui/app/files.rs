@@ -37,6 +37,11 @@ impl Asking {
 }
 
 impl Files {
+    /// Whether a path is being typed.
+    pub(super) fn is_asking(&self) -> bool {
+        self.asking.field.is_some()
+    }
+
     /// Asks for a file, unless something is being asked for. Returns whether it does.
     pub(super) fn ask(&mut self, dialog: FileDialog) -> bool {
         if self.asking.dialogs.is_open() || self.asking.field.is_some() {

@@ -277,6 +277,7 @@ impl App {
         ctx.text_edit_focused()
             || self.search.is_some()
             || self.is_choosing_figure()
+            || self.files.as_ref().is_some_and(Files::is_asking)
             || self.picker.has_focus(ctx)
     }
 

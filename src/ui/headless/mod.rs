@@ -84,6 +84,8 @@ impl Picture {
             .with_theme(self.theme)
             .with_max_steps(MAX_FRAMES)
             .with_render_cursor(false)
+            // What no font has is a box, as in the window: people name their materials in every script.
+            .allow_missing_glyphs()
     }
 
     /// The running application behind the picture, settled; tests drive it on.

@@ -134,10 +134,12 @@ impl PathField {
             (self.problem, self.replaced) = (None, None);
         }
         let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        // It has the focus when it is seen to: below a window that has just closed the first wish for it is not granted.
+        self.is_new &= !response.has_focus();
         if is_entered || self.is_new {
             response.request_focus();
         }
-        if std::mem::take(&mut self.is_new) {
+        if self.is_new {
             // The name without its extension is marked: typing replaces it, the folder stays.
             let end = self.text.chars().count();
             let separator = |c: char| std::path::is_separator(c);

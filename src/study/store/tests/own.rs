@@ -285,3 +285,21 @@ fn a_link_to_the_session_stays_one() {
         "the backup is found"
     );
 }
+
+/// Who edits the file by hand loses what is broken, and nothing else.
+#[test]
+fn one_broken_line_of_the_preferences_spoils_no_other() {
+    let folder = Folder::new("preferences");
+    let mut store = folder.store();
+    store.keep_first_steps_seen();
+    store.keep_labels(LabelSize::Double);
+    drop(store);
+    let path = folder.file(PREFERENCES);
+    let text = fs::read_to_string(&path).unwrap();
+    let broken = text.replace("\"double\"", "\"enormous\"");
+    assert_ne!(broken, text);
+    fs::write(&path, broken + "recent = 3\n").unwrap();
+    let store = folder.store();
+    assert!(store.has_seen_first_steps());
+    assert_eq!(store.labels(), LabelSize::default());
+}
