@@ -23,6 +23,9 @@ mod stems;
 const END_ROOM: f32 = 12.0;
 const LEAST_HEIGHT: f32 = 30.0;
 
+/// Room below what is drawn, as a share of its height.
+const FOOT: f64 = 0.03;
+
 /// Room that the numbers of one axis take from the name of the other, in points.
 const AXIS_ROOM: f32 = 44.0;
 
@@ -114,6 +117,12 @@ impl Chart {
             }
         };
         let ([x_low, x_high], [y_low, y_high]) = (self.x.ends(), self.y.ends());
+        let y_low = if self.x.is_angle && x_low < 0.0 {
+            // The lowest number at the left stands above the sign of the first one below.
+            y_low - FOOT * (y_high - y_low)
+        } else {
+            y_low
+        };
         let salt = ("chart", &self.name, self.y.is_logarithmic, &self.x.name);
         let id = ui.make_persistent_id(IdSalt::new(salt));
         let plot = Plot::new(salt)
