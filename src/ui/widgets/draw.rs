@@ -258,7 +258,7 @@ mod tests {
     #[test]
     fn a_note_that_is_too_wide_is_broken_into_lines() {
         let context = egui::Context::default();
-        let _ = context.run_ui(egui::RawInput::default(), |ui| {
+        let mut output = context.run_ui(egui::RawInput::default(), |ui| {
             let room = Rect::from_min_size(Pos2::new(5.0, 5.0), vec2(120.0, 90.0));
             let (painter, corner) = (ui.painter_at(room), room.left_bottom());
             let note = "Channels are clipped where it is brightest: lower the exposure";
@@ -268,6 +268,7 @@ mod tests {
             assert!(room.contains_rect(rect), "{rect}");
             assert!(rect.height() > 2.0 * font.size);
         });
+        output.textures_delta.clear();
     }
 
     #[test]
