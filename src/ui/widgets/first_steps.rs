@@ -19,7 +19,7 @@ static STEPS: [Step; 5] = [
         is_done: |now, before| now.held() != before.held(),
     },
     Step {
-        text: "Choose chalk on the left: a diffuse surface sends light everywhere",
+        text: "Press Change… on the left and choose chalk: a diffuse surface sends light everywhere",
         is_done: |now, _| shows(now, "chalk"),
     },
     Step {
