@@ -217,7 +217,7 @@ impl App {
             match search::show(&mut search, ctx, self) {
                 Outcome::Open => self.search = Some(search),
                 Outcome::Closed => {}
-                Outcome::Chosen(command) => command.run_and_say(self, ctx),
+                Outcome::Chosen(hit) => hit.run(self, ctx),
             }
         }
         if !self.is_presenting() {

@@ -2,7 +2,7 @@
 
 use super::App;
 use bxdf_study::session::ViewId;
-use bxdf_study::views::Options;
+use bxdf_study::views::{Options, ViewKind};
 
 impl App {
     /// The view that commands are about: the one last clicked into, else the first.
@@ -17,6 +17,13 @@ impl App {
     #[must_use]
     pub fn room_of_views(&self) -> [f32; 2] {
         self.room_of_views.size().into()
+    }
+
+    /// Adds a view of this kind where there is most room.
+    pub fn add_view(&mut self, kind: &ViewKind) {
+        let room = self.room_of_views();
+        let opened = self.session.views.add(kind, room);
+        self.clicked = self.notice.report(opened).or(self.clicked);
     }
 
     /// Opens another view like this one, beside it.

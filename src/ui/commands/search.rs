@@ -1,4 +1,4 @@
-//! The search of the commands.
+//! The search of all that can be done at once: commands, views to add, arrangements.
 
 use egui::Context;
 
@@ -7,36 +7,102 @@ use super::list::COMMANDS;
 use crate::app::App;
 use crate::widgets::hits::{self, Found, Known};
 use crate::widgets::search::{Entry, Outcome, Search};
+use bxdf_study::session::{READY_LAYOUTS, ReadyLayout};
+use bxdf_study::views::{VIEWS, ViewKind};
 
-/// The window of `search`, while it goes on.
-pub fn show(search: &mut Search, ctx: &Context, app: &App) -> Outcome<&'static Command> {
-    search.show(ctx, found, |command| Entry {
-        title: format!("{}: {}", command.group.title(), command.title_now(app)),
-        keys: command.first_keys(ctx).unwrap_or_default(),
-        hint: command.hint,
-        is_enabled: (command.is_enabled)(app),
-    })
+/// Something that is found.
+#[derive(Clone, Copy)]
+pub enum Hit {
+    /// A command.
+    Command(&'static Command),
+    /// A kind of view, to be added.
+    View(&'static ViewKind),
+    /// A ready arrangement.
+    Ready(&'static ReadyLayout),
 }
 
-/// The commands that `wanted` finds; all of them where nothing is wanted.
-fn found(wanted: &str) -> Found<&'static Command> {
-    hits::found(wanted, COMMANDS, |command| Known {
-        names: vec![command.title],
-        texts: vec![command.group.title(), command.hint],
-    })
+impl Hit {
+    /// All there are: the commands first.
+    fn all() -> impl Iterator<Item = Self> {
+        let commands = COMMANDS.into_iter().map(Self::Command);
+        let ready = READY_LAYOUTS.iter().map(Self::Ready);
+        commands.chain(ready).chain(VIEWS.iter().map(Self::View))
+    }
+
+    fn known(self) -> Known<'static> {
+        let (name, texts) = match self {
+            Self::Command(command) => (command.title, vec![command.group.title(), command.hint]),
+            Self::View(view) => (view.title, vec!["View", "Add", view.what_you_see]),
+            Self::Ready(ready) => (ready.name, vec!["Arrangement", ready.meaning]),
+        };
+        Known {
+            names: vec![name],
+            texts,
+        }
+    }
+
+    fn entry(self, app: &App, ctx: &Context) -> Entry {
+        let (title, hint) = match self {
+            Self::Command(command) => {
+                return Entry {
+                    title: format!("{}: {}", command.group.title(), command.title_now(app)),
+                    keys: command.first_keys(ctx).unwrap_or_default(),
+                    hint: command.hint,
+                    is_enabled: (command.is_enabled)(app),
+                };
+            }
+            Self::View(view) => (format!("Add view: {}", view.title), view.what_you_see),
+            Self::Ready(ready) => (format!("Arrangement: {}", ready.name), ready.meaning),
+        };
+        Entry {
+            title,
+            keys: String::new(),
+            hint,
+            is_enabled: matches!(self, Self::Ready(_)) || app.session.views.has_room(),
+        }
+    }
+
+    /// Does what was chosen.
+    pub fn run(self, app: &mut App, ctx: &Context) {
+        match self {
+            Self::Command(command) => command.run_and_say(app, ctx),
+            Self::View(view) => app.add_view(view),
+            Self::Ready(ready) => {
+                let room = app.room_of_views();
+                app.session.views.show_ready(ready, room);
+            }
+        }
+    }
+}
+
+/// The window of `search`, while it goes on.
+pub fn show(search: &mut Search, ctx: &Context, app: &App) -> Outcome<Hit> {
+    search.show(ctx, found, |hit| hit.entry(app, ctx))
+}
+
+/// What `wanted` finds; all there is where nothing is wanted.
+fn found(wanted: &str) -> Found<Hit> {
+    hits::found(wanted, Hit::all(), Hit::known)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn ids(wanted: &str) -> Vec<&'static str> {
+        let found = found(wanted);
+        let id = |hit: &Hit| match hit {
+            Hit::Command(command) => command.id,
+            Hit::View(view) => view.id,
+            Hit::Ready(ready) => ready.name,
+        };
+        found.listed().iter().map(id).collect()
+    }
+
     #[test]
     fn all_words_must_be_found() {
-        let ids = |wanted: &str| -> Vec<&str> {
-            let found = found(wanted);
-            found.listed().iter().map(|command| command.id).collect()
-        };
-        assert_eq!(ids("").len(), COMMANDS.len());
+        let all = COMMANDS.len() + VIEWS.len() + READY_LAYOUTS.len();
+        assert_eq!(ids("").len(), all);
         assert_eq!(ids("save"), ["save", "save_as", "save_with_data"]);
         assert_eq!(ids("save another"), ["save_as"]);
         assert_eq!(ids("  FILE  text session"), ["copy_session", "paste"]);
@@ -44,5 +110,15 @@ mod tests {
         assert_eq!(ids("undo")[0], "undo");
         assert_eq!(ids("sve")[0], "save");
         assert!(matches!(found("xyzzy"), Found::Nearest(_)));
+    }
+
+    /// Who looks for a picture does not know that it is called a view.
+    #[test]
+    fn views_and_arrangements_are_found_by_what_they_show() {
+        assert_eq!(ids("integral")[0], "integral");
+        assert_eq!(ids("fresnel")[0], "fresnel");
+        assert_eq!(ids("compare")[0], "Compare");
+        assert!(ids("brewster").contains(&"fresnel"));
+        assert!(ids("add view").len() >= VIEWS.len());
     }
 }
