@@ -17,7 +17,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::files::{press, work_in};
-use super::{Folder, picture, session, window};
+use super::{EIGHT, Folder, THREE, picture, session, window};
 
 /// How large a view is on the screen.
 const SCREEN: OnScreen = OnScreen {
@@ -26,20 +26,7 @@ const SCREEN: OnScreen = OnScreen {
 };
 
 /// One material, three of unlike lobes, and eight with transmission and deltas among them.
-const SHOWN: [&[&str]; 3] = [
-    &["gold"],
-    &["rough_conductor", "plastic", "oren_nayar"],
-    &[
-        "rough_conductor",
-        "plastic",
-        "oren_nayar",
-        "frosted_glass",
-        "velvet_cloth",
-        "fresnel_specular",
-        "moon",
-        "brushed_steel",
-    ],
-];
+const SHOWN: [&[&str]; 3] = [&["gold"], &THREE, &EIGHT];
 
 /// The first view of a kind as a figure.
 pub(super) fn figure(mut shown: Session, id: &str, purpose: Use, theme: Theme) -> Picture {

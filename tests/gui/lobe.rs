@@ -6,17 +6,7 @@ use brdf_explorer::study::session::{HomeView, OrbitCamera, Session};
 use egui::{Rect, Role, Shape, Theme, vec2};
 use egui_kittest::kittest::Queryable;
 
-use super::{picture, session};
-
-/// Lobes as unlike as they come: broad, narrow, backwards, in deltas, on both sides, and brushed.
-const SIX: [&str; 6] = [
-    "chalk",
-    "brass",
-    "road_sign",
-    "mirror",
-    "frosted_glass",
-    "brushed_steel",
-];
+use super::{SIX, picture, session};
 
 const SIZES: [[u32; 2]; 3] = [[360, 280], [640, 480], [1000, 700]];
 

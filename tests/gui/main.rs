@@ -57,6 +57,31 @@ use egui::{Role, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
+/// Lobes as unlike as they come: broad, narrow, backwards, in deltas, on both sides, and brushed.
+const SIX: [&str; 6] = [
+    "chalk",
+    "brass",
+    "road_sign",
+    "mirror",
+    "frosted_glass",
+    "brushed_steel",
+];
+
+/// Three for a comparison.
+const THREE: [&str; 3] = ["rough_conductor", "plastic", "oren_nayar"];
+
+/// As many as fit a lecture.
+const EIGHT: [&str; 8] = [
+    "rough_conductor",
+    "plastic",
+    "oren_nayar",
+    "frosted_glass",
+    "velvet_cloth",
+    "fresnel_specular",
+    "moon",
+    "brushed_steel",
+];
+
 /// A folder of its own, removed in the end.
 struct Folder(PathBuf);
 

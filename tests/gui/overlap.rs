@@ -7,17 +7,7 @@ use egui::{Rect, Shape, Theme};
 use egui_kittest::Harness;
 
 use super::figures::{figure, uses};
-use super::{picture, session};
-
-/// Lobes as unlike as they come: broad, narrow, backwards, in deltas, on both sides, and brushed.
-const SIX: [&str; 6] = [
-    "chalk",
-    "brass",
-    "road_sign",
-    "mirror",
-    "frosted_glass",
-    "brushed_steel",
-];
+use super::{SIX, picture, session};
 
 /// The room of a view: the least one, tiles of windows of 1024 by 640, 1280 by 800 and 1920 by 1080, and all of the last.
 const SIZES: [[u32; 2]; 5] = [[320, 236], [470, 530], [600, 660], [900, 960], [1640, 960]];

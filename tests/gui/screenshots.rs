@@ -13,7 +13,7 @@ use eframe::egui_wgpu::wgpu;
 use egui::{Key, Modifiers, Theme};
 use egui_kittest::{Harness, SnapshotOptions, SnapshotResults, try_image_snapshot_options};
 
-use super::{measure_tradeoff, picture, session, sessions};
+use super::{EIGHT, THREE, measure_tradeoff, picture, session, sessions};
 
 /// What each view shows: one model of each category, with parameters that show it well, and several materials.
 static SHOWN: [(&str, &[&str]); 5] = [
@@ -29,21 +29,6 @@ static SHOWN: [(&str, &[&str]); 5] = [
 
 /// How many of them, from the end, are stored in the light theme too: the others would say nothing new.
 const SHOWN_LIGHT: usize = 2;
-
-/// A comparison.
-const THREE: [&str; 3] = ["rough_conductor", "plastic", "oren_nayar"];
-
-/// As many as fit a lecture.
-const EIGHT: [&str; 8] = [
-    "rough_conductor",
-    "plastic",
-    "oren_nayar",
-    "frosted_glass",
-    "velvet_cloth",
-    "fresnel_specular",
-    "moon",
-    "brushed_steel",
-];
 
 /// A comparison with a material that breaks a law and one that is a sum of lobes.
 const COMPARED: [&str; 3] = ["car_paint", super::badges::BRIGHT, "rough_conductor"];
