@@ -1,6 +1,24 @@
 //! What a number of the window may be: said once, for the control that edits it and for the reader of the file.
 
+use std::fmt;
+
 use bxdf::param::ParamSpec;
+
+/// A number that is not accepted; as text, one sentence with its name, its value and what is allowed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refused {
+    /// Its key in the file, with those of the tables around it.
+    pub name: &'static str,
+    /// What it is.
+    pub value: f64,
+    allowed: String,
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}: {}", self.name, plain(self.value), self.allowed)
+    }
+}
 
 /// A number that can be typed, dragged and stored.
 #[derive(Clone, Copy, Debug)]
@@ -96,13 +114,16 @@ impl NumberSpec {
     /// The value stored for `x` from a file.
     ///
     /// # Errors
-    /// One sentence with name, value and what is allowed, where it is not accepted.
-    pub fn checked(&self, x: f64) -> Result<f64, String> {
+    /// [`Refused`] where it is not accepted.
+    pub fn checked(&self, x: f64) -> Result<f64, Refused> {
         if self.admits(x) {
             Ok((self.fold)(x))
         } else {
-            let value = plain(x);
-            Err(format!("{} = {value}: {}", self.name, self.allowed()))
+            Err(Refused {
+                name: self.name,
+                value: x,
+                allowed: self.allowed(),
+            })
         }
     }
 
@@ -130,8 +151,8 @@ pub type Numbers<'a> = Vec<(&'static NumberSpec, &'a mut f64)>;
 /// Checks numbers, and folds angles into their turn.
 ///
 /// # Errors
-/// One sentence that names the first that is refused, its value and what is allowed.
-pub(crate) fn checked(numbers: Numbers<'_>) -> Result<(), String> {
+/// The first that is refused.
+pub(crate) fn checked(numbers: Numbers<'_>) -> Result<(), Refused> {
     for (spec, value) in numbers {
         *value = spec.checked(*value)?;
     }
@@ -177,7 +198,7 @@ mod tests {
     fn what_is_out_of_range_is_named_with_what_is_allowed() {
         assert_eq!(TURN.checked(-90.0), Ok(270.0));
         for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, 360.1] {
-            let line = TURN.checked(x).unwrap_err();
+            let line = TURN.checked(x).unwrap_err().to_string();
             assert!(
                 line.starts_with("turn = ") && line.ends_with("allowed is -360 to 360 degrees"),
                 "{line}"

@@ -9,10 +9,11 @@
 //! A thread whose loop is not done yet takes up whatever else its pool has to do. So what takes seconds has threads of its
 //! own, which end with it: else the answer to a view could wait for it to end.
 
+use std::io;
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver};
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::{ThreadBuilder, ThreadPool, ThreadPoolBuilder};
 
 use bxdf::error::{Error, Result};
 
@@ -30,7 +31,8 @@ pub fn threads() -> usize {
 pub fn take_part(count: Option<usize>) -> Result<()> {
     let pool = ThreadPoolBuilder::new()
         .num_threads(count.unwrap_or_else(threads))
-        .use_current_thread();
+        .use_current_thread()
+        .spawn_handler(begin);
     match (pool.build_global(), count) {
         (Err(error), Some(count)) => Err(Error::Platform {
             problem: format!("{count} threads cannot be started: {error}"),
@@ -39,6 +41,32 @@ pub fn take_part(count: Option<usize>) -> Result<()> {
         // Where none was asked for, the first thread does what the others would have.
         (Ok(()), _) | (Err(_), None) => Ok(()),
     }
+}
+
+/// Memory that is to be had before a thread is begun, in bytes: for its stack, and for what those that run allocate meanwhile.
+/// Allocators ask the system anew for so much each time, and give it back.
+const ROOM: usize = 64 << 20;
+
+/// Begins a thread, and waits until it runs. A thread that gets its stack, but not the little that it takes to run on it, ends
+/// the program: so there has to be room for more, and no other one takes it meanwhile.
+fn begin(thread: ThreadBuilder) -> io::Result<()> {
+    let mut room: Vec<u8> = Vec::new();
+    room.try_reserve_exact(ROOM)
+        .map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
+    drop(room);
+    let (runs, is_running) = mpsc::channel();
+    let mut builder = std::thread::Builder::new();
+    if let Some(name) = thread.name() {
+        builder = builder.name(name.to_owned());
+    }
+    builder.spawn(move || {
+        // Whoever began it waits for that.
+        let _ = runs.send(());
+        thread.run();
+    })?;
+    // Nothing comes where it has ended already: that is no reason to end too.
+    let _ = is_running.recv();
+    Ok(())
 }
 
 /// All threads beside the first one, as whoever needs one has it at hand.

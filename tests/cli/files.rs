@@ -263,3 +263,21 @@ fn a_negative_number_is_answered_as_a_number() {
         assert_eq!(refused(words, ""), expected);
     }
 }
+
+/// A link that leads back to itself is no place for a file, and nothing to be replaced.
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_over_a_link_to_itself() {
+    let link = folder("circle").join("circle.csv");
+    std::os::unix::fs::symlink(&link, &link).unwrap();
+    let text = link.to_str().unwrap();
+    let message = refused(
+        &["sample", "phong", "--wo", "30,0", "-n", "8", "--out", text],
+        "",
+    );
+    assert!(
+        message.contains("a link that leads back to itself"),
+        "{message}"
+    );
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+}

@@ -245,7 +245,7 @@ impl TryFrom<StoredCamera> for OrbitCamera {
             pitch,
             distance,
             target,
-        } = stored.checked()?;
+        } = stored.checked().map_err(|refused| refused.to_string())?;
         let camera = Self {
             yaw,
             pitch,

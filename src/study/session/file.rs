@@ -9,6 +9,7 @@ use toml::{Spanned, Table, Value};
 use super::Session;
 use super::layout::Place;
 use super::stored_views::{self, Written};
+use super::written;
 use crate::views::Scale;
 use bxdf::error::{Error, Result};
 use bxdf_lab::analysis::RadialScale;
@@ -59,6 +60,10 @@ impl Session {
         }
         let refused = |error: toml::de::Error| refused(text, place, &error);
         let mut document = DeTable::parse(text).map_err(refused)?;
+        let at = |start, problem| Error::parse(located(text, place, start), problem);
+        if let Some((start, problem)) = written::repeated(document.get_ref()) {
+            return Err(at(start, problem));
+        }
         let table = document.get_mut();
         check_version(table.remove("version"), place)?;
         let layout: Option<Place<Spanned<Value>>> = taken(table, "layout").map_err(refused)?;
@@ -67,14 +72,16 @@ impl Session {
         let scale: Option<RadialScale> = taken(table, "scale").map_err(refused)?;
         let mut session = Self::deserialize(Deserializer::from(document)).map_err(refused)?;
         let views = stored_views::read(layout, closed.unwrap_or_default());
-        let (views, left_out) =
-            views.map_err(|(start, problem)| Error::parse(located(text, place, start), problem))?;
+        let (views, left_out) = views.map_err(|(start, problem)| at(start, problem))?;
         session.views = views;
         if let Some(lengths) = scale {
             session.views.scale_radii(Scale::of(lengths));
         }
         let numbers = session.check_numbers();
-        numbers.map_err(|problem| Error::parse(place, problem))?;
+        numbers.map_err(|number| match written::start_of(text, &number) {
+            Some(start) => at(start, number.to_string()),
+            None => Error::parse(place, number.to_string()),
+        })?;
         let left_out = left_out.iter().map(|line| format!("{place}: {line}"));
         Ok(Read {
             left_out: left_out.collect(),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::layout::{Layout, Place, ViewId};
 use super::ready::{READY_LAYOUTS, ReadyLayout};
-use crate::number::{are_allowed, checked, keep};
+use crate::number::{Refused, are_allowed, checked, keep};
 use crate::views::{OfKind, Options, ViewKind, find};
 use bxdf::error::{Error, Result};
 
@@ -327,7 +327,7 @@ impl Views {
     }
 
     /// Checks every number of the options, and folds angles into their turn.
-    pub(super) fn check_numbers(&mut self) -> std::result::Result<(), String> {
+    pub(super) fn check_numbers(&mut self) -> std::result::Result<(), Refused> {
         self.open
             .values_mut()
             .chain(self.closed.values_mut())

@@ -176,7 +176,8 @@ impl<V> Place<V> {
             }
             Self::View(_) | Self::Tabs { .. } => Ok(()),
             Self::Row(parts) | Self::Column(parts) => parts.iter().try_for_each(|part| {
-                SHARE.checked(f64::from(part.share))?;
+                let share = SHARE.checked(f64::from(part.share));
+                share.map_err(|refused| refused.to_string())?;
                 part.place.validate_place(depth + 1)
             }),
         }

@@ -28,6 +28,7 @@ mod stored;
 mod stored_views;
 mod text;
 mod ties;
+mod written;
 
 pub use camera::{HomeView, OrbitCamera};
 pub use directions::Direction;

@@ -1,7 +1,7 @@
 //! Every number of a session, with what it may be: the one place for its control and for the reader of its file.
 
 use super::{Session, folded_deg, wrapped_deg};
-use crate::number::{NumberSpec, Numbers, are_allowed, checked, keep};
+use crate::number::{NumberSpec, Numbers, Refused, are_allowed, checked, keep};
 
 /// An angle of a full turn, stored within half a turn either way.
 pub(crate) const fn azimuth(name: &'static str) -> NumberSpec {
@@ -46,8 +46,8 @@ impl Session {
     /// Checks every number of a file, and folds angles into their turn.
     ///
     /// # Errors
-    /// One sentence that names the number, its value and what is allowed.
-    pub(super) fn check_numbers(&mut self) -> Result<(), String> {
+    /// The number that is refused.
+    pub(super) fn check_numbers(&mut self) -> Result<(), Refused> {
         checked(self.numbers())?;
         self.views.check_numbers()
     }
@@ -147,6 +147,7 @@ mod tests {
         ] {
             assert!(names.iter().any(|name| name == expected), "{names:?}");
         }
+        let whole = toml::to_string(&file).unwrap();
         for path in &found {
             let is_whole = matches!(at(&mut file.clone(), path), Value::Integer(_));
             let values = if is_whole {
@@ -164,7 +165,16 @@ mod tests {
                     panic!("{place} is read");
                 };
                 let line = error.to_string();
-                assert!(!line.contains('\n') && line.starts_with("s.toml"), "{line}");
+                assert!(!line.contains('\n'), "{line}");
+                let mut lines = whole.lines().zip(text.lines());
+                let number = 1 + lines.position(|(old, new)| old != new).unwrap();
+                // Of the camera and of the shares of a layout the line is that of the whole.
+                let is_exact = !path.iter().any(|key| key == "camera" || key == "share");
+                let expected = format!("s.toml: line {number}: ");
+                assert!(
+                    line.starts_with("s.toml: line ") && (!is_exact || line.starts_with(&expected)),
+                    "{expected}{line}"
+                );
                 let key = path.iter().rev().find(|key| key.parse::<u32>().is_err());
                 let is_named = line.contains(key.unwrap()) && line.contains("allowed is");
                 let is_named_by_its_line = line.contains("invalid value: integer");

@@ -191,7 +191,6 @@ mod tests {
             solo = true
             reference = true
             linked_widths = false
-            id = 1
             material = \"rough_conductor\"";
         let materials = read(text);
         let ids: Vec<u32> = materials.iter().map(|entry| entry.id().0).collect();
@@ -212,6 +211,14 @@ mod tests {
     #[test]
     fn broken_lists_say_why() {
         for (text, expected) in [
+            (
+                "[[materials]]\nid = 4\nmaterial = \"phong\"\n[[materials]]\nmaterial = \"phong\"\nid = 4",
+                "s.toml: line 6: id = 4: a material before it has the same",
+            ),
+            (
+                "materials = [{ slot = 2, material = \"phong\" },\n{ slot = 2, material = \"ward\" }]",
+                "s.toml: line 2: slot = 2: a material before it has the same",
+            ),
             ("materials = []", "the number of materials"),
             ("materials = 3", "expected a material or a list"),
             (

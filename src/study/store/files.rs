@@ -63,8 +63,11 @@ pub trait Files: Send + Sync {
     fn lock(&self, path: &Path) -> io::Result<Option<File>>;
 
     /// Where what is written at `path` belongs: behind the links that stand there, `path` itself where none does.
-    fn behind_links(&self, path: &Path) -> PathBuf {
-        path.to_owned()
+    ///
+    /// # Errors
+    /// Where links lead to one another in a circle.
+    fn behind_links(&self, path: &Path) -> io::Result<PathBuf> {
+        Ok(path.to_owned())
     }
 }
 
@@ -127,15 +130,17 @@ impl Files for Disk {
         }
     }
 
-    fn behind_links(&self, path: &Path) -> PathBuf {
+    fn behind_links(&self, path: &Path) -> io::Result<PathBuf> {
         let mut end = path.to_owned();
         for _ in 0..MAX_LINKS {
             match std::fs::read_link(&end) {
                 // A relative one counts from the folder that it stands in.
                 Ok(next) => end = end.with_file_name(next),
-                Err(_) => return end,
+                Err(_) => return Ok(end),
             }
         }
-        path.to_owned()
+        Err(io::Error::other(
+            "it is a link that leads back to itself: remove it, or name another file",
+        ))
     }
 }

@@ -127,7 +127,8 @@ impl Own {
             };
         };
         // Its backup stands beside the file itself, where a link leads to it.
-        let path = places.files.behind_links(&place.path);
+        let behind = places.files.behind_links(&place.path);
+        let path = behind.unwrap_or_else(|_| place.path.clone());
         if place.number > 1 {
             said.push(format!(
                 "Another window is open: this one keeps a session of its own, {}",

@@ -27,9 +27,9 @@ impl<'a> Partial<'a> {
     /// A name for the file that is to stand at `target`, or where the link there leads; nothing stands there yet.
     ///
     /// # Errors
-    /// `InvalidFilename` where `target` has no name, as `..`.
+    /// `InvalidFilename` where `target` has no name, as `..`; those of links that lead nowhere.
     pub fn of(files: &'a dyn Files, target: &Path) -> io::Result<Self> {
-        let target = files.behind_links(target);
+        let target = files.behind_links(target)?;
         let path = temporary_beside(&target)?;
         // Listed first: whoever ends the program finds it in the list, or not on the disk.
         pending().push(path.clone());
@@ -146,7 +146,9 @@ mod tests {
                 assert_eq!(fs::read_to_string(path).unwrap(), text);
             }
         }
-        assert_eq!(Disk.behind_links(&circle), circle);
+        let refused = Partial::of(&Disk, &circle).map(|_| ()).unwrap_err();
+        assert!(refused.to_string().contains("leads back to itself"));
+        assert!(fs::symlink_metadata(&circle).unwrap().is_symlink());
         fs::remove_dir_all(&folder).unwrap();
     }
 

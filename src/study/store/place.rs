@@ -44,7 +44,8 @@ impl Places {
         let bytes = self.bytes(path, readers::limit(path))?;
         let digest = digest(&bytes);
         let mut opened = readers::read(bytes, path)?;
-        opened.rooted_at(&folder_of(&self.files.behind_links(path)));
+        let own = self.files.behind_links(path);
+        opened.rooted_at(&folder_of(&own.map_err(|error| Error::io(path, error))?));
         opened.read_files(&|path| self.data(path));
         self.note(path, digest);
         Ok(opened)
@@ -82,7 +83,8 @@ impl Places {
     /// # Errors
     /// Where it cannot be written, and where nobody would read it again; the files that were there are as they were.
     pub(super) fn replace(&self, path: &Path, session: &Session) -> Result<Option<PathBuf>> {
-        let path = &*self.files.behind_links(path);
+        let own = self.files.behind_links(path);
+        let path = &*own.map_err(|error| Error::io(path, error))?;
         session.require_fit()?;
         let text = session.relative_to(&folder_of(path)).to_toml()?;
         let before = self.before(path);

@@ -7,7 +7,7 @@ use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
 use crate::answers::Answers;
 use crate::export::table::{Table, Value, shown};
-use crate::number::{NumberSpec, Numbers};
+use crate::number::{NumberSpec, Numbers, Refused};
 use crate::session::{MaterialEntry, Session};
 use bxdf::Material;
 use bxdf::material::MAX_COMPONENTS;
@@ -200,7 +200,7 @@ impl ViewOptions for Options {
         false
     }
 
-    fn check_whole(&self) -> Result<(), String> {
+    fn check_whole(&self) -> Result<(), Refused> {
         LOBE.checked(self.lobe as f64).map(|_| ())
     }
 

@@ -7,7 +7,7 @@ use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use crate::answers::Answers;
 use crate::export::names::{self, Names};
 use crate::export::table::{Table, Value, shown};
-use crate::number::{NumberSpec, Numbers};
+use crate::number::{NumberSpec, Numbers, Refused};
 use crate::session::Session;
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::integral::{COUNT_LOG2, ExactRequest, Integrand, Request};
@@ -107,7 +107,7 @@ impl ViewOptions for Options {
         vec![(&SECONDS, &mut self.seconds)]
     }
 
-    fn check_whole(&self) -> Result<(), String> {
+    fn check_whole(&self) -> Result<(), Refused> {
         PATCHES_LOG2.checked(f64::from(self.count_log2)).map(|_| ())
     }
 

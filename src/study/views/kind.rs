@@ -6,7 +6,7 @@ use super::section::OwnSection;
 use crate::answers::Answers;
 use crate::export::Format;
 use crate::export::table::Table;
-use crate::number::Numbers;
+use crate::number::{Numbers, Refused};
 use crate::session::Session;
 
 /// Pixels along either side of a map of values.
@@ -100,8 +100,8 @@ pub trait ViewOptions: Default {
     /// Checks the whole numbers among them, which no gesture leads out of their range.
     ///
     /// # Errors
-    /// One sentence that names the number, its value and what is allowed.
-    fn check_whole(&self) -> Result<(), String> {
+    /// The number that is refused.
+    fn check_whole(&self) -> Result<(), Refused> {
         Ok(())
     }
 

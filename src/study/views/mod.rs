@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::answers::Answers;
 use crate::export::table::Table;
-use crate::number::Numbers;
+use crate::number::{Numbers, Refused};
 use crate::session::Session;
 use bxdf::error::{Error, Result};
 
@@ -126,7 +126,7 @@ macro_rules! list {
             }
 
             /// See [`ViewOptions::check_whole`].
-            pub(crate) fn check_whole(&self) -> std::result::Result<(), String> {
+            pub(crate) fn check_whole(&self) -> std::result::Result<(), Refused> {
                 match self {
                     $(Self::$id(options) => options.check_whole(),)*
                 }

@@ -8,7 +8,7 @@ use super::section::OwnSection;
 use super::words::words;
 use crate::answers::Answers;
 use crate::export::table::{Table, Value, shown};
-use crate::number::{NumberSpec, Numbers};
+use crate::number::{NumberSpec, Numbers, Refused};
 use crate::session::Session;
 use bxdf_lab::analysis::sampling::{FIRST_SEED, Part, Request, Study, WarpRequest};
 
@@ -134,7 +134,7 @@ impl ViewOptions for Options {
         self.own_section_deg.number().into_iter().collect()
     }
 
-    fn check_whole(&self) -> Result<(), String> {
+    fn check_whole(&self) -> Result<(), Refused> {
         SAMPLES_LOG2.checked(f64::from(self.count_log2)).map(|_| ())
     }
 

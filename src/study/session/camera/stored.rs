@@ -3,7 +3,7 @@
 use glam::Vec3;
 use serde::Deserialize;
 
-use crate::number::NumberSpec;
+use crate::number::{NumberSpec, Refused};
 
 /// Eye distances that [`super::OrbitCamera::zoom`] can reach, in world units.
 pub(super) const DISTANCE_RANGE: (f32, f32) = (1.2, 20.0);
@@ -39,7 +39,7 @@ static TARGET: NumberSpec = NumberSpec::new(
 
 impl StoredCamera {
     /// Refuses what no camera has, naming what is allowed.
-    pub(super) fn checked(self) -> Result<Self, String> {
+    pub(super) fn checked(self) -> Result<Self, Refused> {
         let angles = [
             (&YAW, self.yaw),
             (&PITCH, self.pitch),
