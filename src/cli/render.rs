@@ -42,7 +42,7 @@ pub struct Arguments {
     #[arg(long, value_name = "THETA,PHI", value_parser = args::angles)]
     direction: Option<Angles>,
     /// The view to show alone
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID", help = view_help())]
     view: Option<String>,
     /// What for: slide (1920x1080 pixels), column (88 mm wide), web (at most 640x400 points at 2 pixels each), or screen, as the window has it
     #[arg(long, value_name = "USE", value_parser = figure)]
@@ -262,6 +262,12 @@ fn session(request: &RenderArgs) -> Result<Session> {
     let views = &mut session.views;
     views.each(|tradeoff: &mut tradeoff::Options| tradeoff.is_immediate = true);
     Ok(session)
+}
+
+/// What `--view` is, with the id of every kind there is.
+fn view_help() -> String {
+    let ids: Vec<&str> = views::VIEWS.iter().map(|kind| kind.id).collect();
+    format!("The view to show alone: {}", ids.join(", "))
 }
 
 fn hold(text: &str) -> Result<Hold> {

@@ -82,7 +82,14 @@ impl App {
             if self.state.is_picture {
                 still::make(ui);
             }
+            let figure = palette.of_figure();
+            let mut palette = palette;
+            if self.state.is_figure() {
+                palette = &figure;
+                ui.visuals_mut().weak_text_color = Some(palette.faint_ink);
+            }
             let mut room = ui.available_rect_before_wrap();
+            room = room.shrink2(egui::vec2(0.0, self.free));
             if let Some(Heading { own, beside }) = self.heading.take() {
                 let mut place = room;
                 if let Some(width) = beside {
@@ -102,7 +109,8 @@ impl App {
             let mut ui = ui.new_child(UiBuilder::new().max_rect(room).id_salt("view"));
             ui.set_clip_rect(room.expand(margin).intersect(ui.clip_rect()));
             self.show_view(&mut ui, view, palette);
-            self.lacking = (ui.min_rect().bottom() - room.bottom()).max(0.0);
+            let beyond = ui.min_rect().bottom() - room.bottom();
+            self.lacking = beyond.max(self.state.lacking);
         });
         self.keep_scenes(ui);
     }

@@ -23,6 +23,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use brdf_explorer::study::views::VIEWS;
 use serde_json::Value as Json;
 
 /// The columns that `eval` reads, as a header line.
@@ -269,6 +270,11 @@ fn a_reader_that_leaves_early_is_no_failure() {
 fn help_and_version_are_results() {
     assert!(done(&["--help"], "").contains("Usage"));
     assert!(done(&["--version"], "").starts_with("brdf-explorer "));
+    let render = done(&["render", "--help"], "");
+    let words: Vec<&str> = render.split([' ', ',', '\n']).collect();
+    for kind in &VIEWS {
+        assert!(words.contains(&kind.id), "{} in {render}", kind.id);
+    }
     #[cfg(not(feature = "gui"))]
     for words in [&[][..], &["render", "oren_nayar", "-o", "x.png"]] {
         assert!(refused(words, "").contains("this build has no window"));

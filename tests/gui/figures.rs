@@ -45,7 +45,7 @@ pub(super) fn uses() -> impl Iterator<Item = Use> {
 }
 
 /// What could be acted on in the accessibility tree, and what could be read there.
-fn controls_and_texts(harness: &Harness<'_, App>) -> (Vec<String>, BTreeSet<String>) {
+pub(super) fn controls_and_texts(harness: &Harness<'_, App>) -> (Vec<String>, BTreeSet<String>) {
     let (mut controls, mut texts) = (Vec::new(), BTreeSet::new());
     for node in harness.root().children_recursive() {
         let node = node.accesskit_node().data();
@@ -67,6 +67,16 @@ fn controls_and_texts(harness: &Harness<'_, App>) -> (Vec<String>, BTreeSet<Stri
     (controls, texts)
 }
 
+/// What is written in a picture.
+pub(super) fn texts_of<'a>(harness: &'a Harness<'_, App>) -> Vec<&'a str> {
+    let shapes = harness.output().shapes.iter();
+    let text = |clipped: &'a egui::epaint::ClippedShape| match &clipped.shape {
+        Shape::Text(text) => Some(text.galley.text()),
+        _ => None,
+    };
+    shapes.filter_map(text).collect()
+}
+
 #[test]
 fn no_figure_has_a_control_and_each_says_what_it_shows() {
     for kind in &VIEWS {
@@ -84,8 +94,17 @@ fn no_figure_has_a_control_and_each_says_what_it_shows() {
         }
         // A copy of the tile as `render` draws it has none either.
         let copy = picture(session(SHOWN[1]), Some(kind.id), [480, 360], Theme::Dark);
-        let (controls, _) = controls_and_texts(&copy.shapes());
+        let copy = copy.shapes();
+        let (controls, _) = controls_and_texts(&copy);
         assert!(controls.is_empty(), "{}: {controls:?}", kind.id);
+        let is_caption = |text: &str| text.len() > 16 && kind.what_you_see.starts_with(text);
+        let lines = texts_of(&copy);
+        let starts = lines.iter().map(|text| text.trim_end_matches('…'));
+        assert!(
+            !starts.into_iter().any(is_caption),
+            "{}: {lines:?}",
+            kind.id
+        );
     }
 }
 
@@ -193,6 +212,11 @@ fn the_lobe_as_a_drawing_is_a_picture_with_text_and_lines_over_it() {
         assert_eq!(svg.matches("<image ").count(), 1);
         for expected in [">light</text>", ">viewer</text>", ">n</text>", "<path "] {
             assert!(above.contains(expected), "{purpose:?}: {expected}");
+        }
+        // The axes are lines: n has the colour of the ink, s and t that of axes.
+        let axes = ["#1e1e1e", "#787878"].map(|color| format!("stroke=\"{color}\""));
+        for stroke in axes {
+            assert!(above.contains(&stroke), "{purpose:?}: {stroke}");
         }
         let data = svg.split("base64,").nth(1).unwrap();
         let data = data.split('"').next().unwrap();

@@ -15,6 +15,7 @@ mod deltas;
 mod directions;
 mod drawing;
 mod export;
+mod figure_pages;
 mod figures;
 mod files;
 mod fresnel;
@@ -133,8 +134,12 @@ fn measure_tradeoff(harness: &mut Harness<'_, App>) {
     harness.state_mut().use_stopwatch(NoClock);
     if let Some(button) = harness.query_by_label("Measure") {
         button.click();
-        harness.run();
+    } else {
+        // A picture has no button.
+        let views = &mut harness.state_mut().session.views;
+        views.each(|options: &mut tradeoff::Options| options.is_immediate = true);
     }
+    harness.run();
 }
 
 /// Chooses `item` in the drop-down `name`.

@@ -22,6 +22,8 @@ pub enum Subjects {
     Colors,
     /// Each has a picture or a row of its own: there, where there are several.
     Apart,
+    /// They share one picture, with a legend of its own where there are several: there.
+    Legend,
     /// The selected one is all that is shown.
     Selected,
     /// It is of no material.

@@ -73,9 +73,12 @@ impl Options {
 
 impl ViewOptions for Options {
     fn caption(&self, session: &Session) -> Caption {
+        // Small charts have no room for the name of their axis.
+        let over =
+            |what: &str| Caption::of(format!("{what} over θ of the {}", session.free_name()));
         match self.into {
-            Decomposed::Lobes => Caption::of(value_of_f(session)).naming(Subjects::Apart),
-            Decomposed::Factors => Caption::of("the factors D, G and F").naming(Subjects::Colors),
+            Decomposed::Lobes => over(value_of_f(session)).naming(Subjects::Apart),
+            Decomposed::Factors => over("the factors D, G and F").naming(Subjects::Colors),
         }
     }
 

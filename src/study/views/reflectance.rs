@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::caption::{Caption, Directions};
+use super::caption::{Caption, Directions, Subjects};
 use super::kind::{Deltas, TableKind, ViewKind, ViewOptions};
 use super::words::words;
 use crate::answers::Answers;
@@ -73,7 +73,9 @@ pub fn request(session: &Session) -> CurveRequest {
 
 impl ViewOptions for Options {
     fn caption(&self, _: &Session) -> Caption {
-        Caption::of(self.quantity()).at(Directions::Held)
+        Caption::of(self.quantity())
+            .naming(Subjects::Legend)
+            .at(Directions::Held)
     }
 
     fn is_of_held(&self) -> bool {

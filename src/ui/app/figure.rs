@@ -38,6 +38,11 @@ impl App {
         }
     }
 
+    /// Leaves this much free above the title and below the view from now on, in points.
+    pub fn leave_free(&mut self, height: f32) {
+        self.free = height;
+    }
+
     /// Whether the figure has a title.
     #[must_use]
     pub fn has_title(&self) -> bool {
@@ -50,13 +55,17 @@ impl App {
         self.state.filled.is_some()
     }
 
-    /// Whether each of several materials has a picture of its own.
+    /// How many materials have a picture of their own: 1 where all share one.
     #[must_use]
-    pub fn shows_several_apart(&self) -> bool {
+    pub fn number_apart(&self) -> usize {
         let options = self.only.and_then(|view| self.session.views.get(view));
         let caption = options.map(|options| options.caption(&self.session));
         let is_apart = caption.is_some_and(|caption| caption.names == Subjects::Apart);
-        is_apart && self.session.materials.is_overlay()
+        if is_apart {
+            self.session.materials.shown().count().max(1)
+        } else {
+            1
+        }
     }
 
     /// The room of the one view that is shown.
@@ -91,6 +100,11 @@ impl App {
         let seen = shapes.iter().map(of_shape).filter(is_counted);
         seen.chain(self.state.filled)
             .fold(Rect::NOTHING, Rect::union)
+    }
+
+    /// Draws the axes of scenes as lines over their pictures from now on.
+    pub fn draw_axes_as_lines(&mut self) {
+        self.state.is_drawing = true;
     }
 
     /// Paints only what the graphics processor draws from now on, or all again: a drawing holds a picture of it.

@@ -115,6 +115,8 @@ pub struct App {
     pub(super) room_of_views: Rect,
     /// By how much that of the one view of a picture was too low, in points.
     pub(super) lacking: f32,
+    /// What is left free above and below the one view of a figure, in points.
+    pub(super) free: f32,
 }
 
 impl App {
@@ -175,6 +177,7 @@ impl App {
             first_steps: None,
             zoom_before: None,
             lacking: 0.0,
+            free: 0.0,
             room_of_views: Rect::from_min_size(Pos2::ZERO, theme::WINDOW_SIZE),
         }
     }

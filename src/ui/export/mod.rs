@@ -40,6 +40,7 @@ fn drawing(picture: Picture) -> Result<Vec<u8>> {
     let mut scenes = None;
     if harness.output().shapes.iter().any(has_scene) {
         harness = picture.drawn()?;
+        harness.state_mut().draw_axes_as_lines();
         scenes = Some(scenes_of(&mut harness)?);
     }
     let page = svg::Page {

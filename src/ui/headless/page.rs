@@ -18,8 +18,14 @@ const NARROW: f32 = 0.72;
 /// The width of the title there, as a share of the page's.
 const TITLE_SHARE: f32 = 0.3;
 
-/// The most height over width that a page grows to.
-const TALLEST: f32 = 1.25;
+/// The most height over width that a page grows to, with a few pictures apart and with many.
+const TALLEST: [f32; 2] = [1.25, 1.6];
+
+/// More pictures than this are many.
+const FEW: usize = 4;
+
+/// Of the height that a view on a slide leaves free so much stays about it: the rest goes above the title and below the view.
+const ROOM_ABOUT: f32 = 0.06;
 
 /// The same of a page that is too low for all rows of a table.
 const LONGEST: f32 = 3.0;
@@ -54,12 +60,16 @@ pub(super) fn fit(harness: &mut Harness<'_, App>, figure: Option<&Figure>) {
             if harness.state().has_title() && seen.x < NARROW * room.x {
                 harness.state_mut().put_title_beside(TITLE_SHARE * size.x);
                 harness.run_ok();
+            } else {
+                gather(harness);
             }
         }
         Cut::Height => {
-            if harness.state().shows_several_apart() {
+            let apart = harness.state().number_apart();
+            let tallest = if apart > FEW { TALLEST[1] } else { TALLEST[0] };
+            if apart > 1 {
                 // Pictures of several materials stand below one another too.
-                resize(harness, vec2(size.x, TALLEST * size.x));
+                resize(harness, vec2(size.x, tallest * size.x));
             }
             for _ in 0..PASSES {
                 let more = more(harness);
@@ -69,7 +79,7 @@ pub(super) fn fit(harness: &mut Harness<'_, App>, figure: Option<&Figure>) {
                 let most = if harness.state().lacking() > 0.0 {
                     LONGEST
                 } else {
-                    TALLEST
+                    tallest
                 };
                 let height = harness.ctx.content_rect().height() + more;
                 resize(harness, vec2(size.x, height.min(most * size.x)));
@@ -80,6 +90,22 @@ pub(super) fn fit(harness: &mut Harness<'_, App>, figure: Option<&Figure>) {
     }
     if page.cut != Cut::Height {
         hold_all(harness);
+    }
+}
+
+/// Brings title and view of a page that is not cut together, where the view leaves height free: in its middle.
+fn gather(harness: &mut Harness<'_, App>) {
+    let (room, seen) = room_and_seen(harness);
+    let free = room.y - seen.y - ROOM_ABOUT * room.y;
+    if free <= SLACK * room.y || harness.state().has_scene() {
+        return;
+    }
+    harness.state_mut().leave_free(0.5 * free);
+    harness.run_ok();
+    let (_, gathered) = room_and_seen(harness);
+    if gathered.x < KEPT * seen.x || gathered.y < KEPT * seen.y || harness.state().lacking() > 0.0 {
+        harness.state_mut().leave_free(0.0);
+        harness.run_ok();
     }
 }
 

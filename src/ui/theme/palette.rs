@@ -117,6 +117,15 @@ impl Palette {
         }
     }
 
+    /// The same for a figure, which is read from afar or in print: secondary text, whose strokes are fine, is stronger.
+    #[must_use]
+    pub fn of_figure(&self) -> Self {
+        Self {
+            faint_ink: self.faint_ink.lerp_to_gamma(self.ink, 0.5),
+            ..self.clone()
+        }
+    }
+
     fn dark() -> Self {
         Self {
             background: rgb([20, 22, 27]),

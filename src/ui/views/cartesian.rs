@@ -33,6 +33,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
     let chart = chart(cx, plotted, full);
     let shown = chart.show(ui, None, cx.palette);
+    cx.lacks(shown.lacking());
     if let Some(note) = note(cx) {
         let (place, font) = (shown.frame().left_bottom(), draw::small_font(ui));
         let painter = ui.painter_at(shown.frame());

@@ -58,10 +58,14 @@ pub struct ViewState {
     number: u64,
     /// Whether a picture is made, in which nobody can click.
     pub(crate) is_picture: bool,
+    /// Whether a drawing is made, in which lines over a picture are lines.
+    pub(crate) is_drawing: bool,
     /// Of a figure: whether it has a title.
     pub(crate) has_title: Option<bool>,
     /// What scenes of the graphics processor fill in this frame: they have no shapes to be measured.
     pub(crate) filled: Option<Rect>,
+    /// By how much what is shown in this frame is too low to be legible, in points.
+    pub(crate) lacking: f32,
     /// What measures the times of trade-offs.
     pub(crate) stopwatch: Stopwatch,
     /// A file that a view asks to be written.
@@ -90,9 +94,11 @@ impl<O> ViewContext<'_, O> {
         }
     }
 
-    /// The pair of directions pointed at, wo and wi; that of the session while nobody points.
+    /// The pair of directions pointed at, wo and wi; that of the session while nobody points, or where nothing is: below
+    /// surfaces that let no light through.
     pub(super) fn pair(&self) -> (DVec3, DVec3) {
-        let pointed = self.cursor.map(|cursor| cursor.direction);
+        let is_lit = |w: &DVec3| w.z >= 0.0 || self.session.shows_lower_half();
+        let pointed = self.cursor.map(|cursor| cursor.direction).filter(is_lit);
         self.pair_with(pointed.unwrap_or_else(|| self.session.other()))
     }
 
@@ -149,11 +155,21 @@ impl<O> ViewContext<'_, O> {
         *filled = Some(filled.map_or(rect, |other| other.union(rect)));
     }
 
+    /// Says by how much something is too low to be legible, in points: the page of a figure grows by that.
+    pub(super) fn lacks(&mut self, height: f32) {
+        self.state.lacking = self.state.lacking.max(height);
+    }
+
     /// The names of the materials shown, above the view, where no title has them; a click selects one.
     pub(super) fn legend(&mut self, ui: &mut Ui, swatch: Swatch) {
         if !self.state.is_titled() {
-            legend::show(ui, swatch, self.session, self.palette);
+            legend::show(ui, swatch, &[], self.session, self.palette);
         }
+    }
+
+    /// The same with a number of each material behind its name; no title has those.
+    pub(super) fn legend_of_numbers(&mut self, ui: &mut Ui, swatch: Swatch, numbers: &[String]) {
+        legend::show(ui, swatch, numbers, self.session, self.palette);
     }
 
     /// Puts the light or the viewer at the direction `w`.
@@ -260,6 +276,7 @@ impl ViewState {
     pub fn begin_frame(&mut self, session: &Session) {
         self.textures.begin_frame();
         self.filled = None;
+        self.lacking = 0.0;
         let is_open = |view: &ViewId| session.views.get(*view).is_some();
         self.contours
             .retain(|(view, entry), _| is_open(view) && session.materials.get(*entry).is_some());

@@ -161,6 +161,7 @@ fn show_chart(
             chart.show(ui, Some(room.height()), cx.palette)
         })
         .inner;
+    cx.lacks(shown.lacking());
     let azimuth = cx.options.own_section_deg.of(cx.session).phi();
     if let Some([x, _]) = chart.pointed(&shown).filter(|[x, _]| x.abs() <= 180.0) {
         chart.read_out(

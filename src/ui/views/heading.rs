@@ -13,6 +13,9 @@ use bxdf_study::views::{Caption, Directions, Options, Subjects};
 /// The most names of materials: more would leave no room for the view.
 const MOST_NAMES: usize = 12;
 
+/// The most characters of a title: some lines of the narrowest page.
+const LONGEST_TITLE: usize = 240;
+
 /// The most characters of a name.
 const LONGEST_NAME: usize = 32;
 
@@ -29,6 +32,7 @@ const ROW: f32 = 18.0;
 pub fn show(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &Options, own: Option<&str>) {
     let caption = options.caption(cx.session);
     let words = own.map_or_else(|| words(options, &caption), str::to_owned);
+    let words = draw::clipped(&words, LONGEST_TITLE);
     let spacing = ui.spacing_mut();
     spacing.item_spacing = vec2(GAPS[1], 2.0);
     spacing.interact_size.y = ROW;
@@ -50,11 +54,13 @@ fn name_materials(ui: &mut Ui, cx: &ViewContext<'_>, names: Subjects) {
     let materials = &cx.session.materials;
     let named: Vec<&MaterialEntry> = match names {
         Subjects::Lines | Subjects::Colors => materials.shown().collect(),
-        Subjects::Apart if !materials.is_overlay() => materials.shown().collect(),
+        Subjects::Apart | Subjects::Legend if !materials.is_overlay() => {
+            materials.shown().collect()
+        }
         Subjects::Selected => vec![materials.selected()],
-        Subjects::Apart | Subjects::None => Vec::new(),
+        Subjects::Apart | Subjects::Legend | Subjects::None => Vec::new(),
     };
-    let has_lines = names == Subjects::Lines;
+    let has_lines = matches!(names, Subjects::Lines | Subjects::Legend);
     for entry in named.iter().take(MOST_NAMES) {
         let color = cx.palette.material(entry.slot());
         let title = draw::clipped(&materials.title(entry), LONGEST_NAME);

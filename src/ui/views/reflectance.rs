@@ -25,14 +25,26 @@ struct Part {
 
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     settings::show(ui, cx, |ui, cx| controls(ui, cx.options));
-    cx.legend(ui, Swatch::Line);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
         return;
     }
     let (chart, means) = chart(cx);
-    ui.label(RichText::new(means).small().weak());
+    match &means[..] {
+        [mean] => {
+            ui.label(RichText::new(mean).small().weak());
+        }
+        means => {
+            // The lines of parts are those of the parts, whatever the material.
+            let swatch = match cx.options.split {
+                Split::Total => Swatch::Line,
+                Split::Side | Split::Category | Split::Lobe => Swatch::Patch,
+            };
+            cx.legend_of_numbers(ui, swatch, means);
+        }
+    }
     let shown = chart.show(ui, None, cx.palette);
+    cx.lacks(shown.lacking());
     let pointed = chart
         .pointed(&shown)
         .filter(|[x, _]| (0.0..=90.0).contains(x));
@@ -75,8 +87,8 @@ fn controls(ui: &mut Ui, options: &mut Options) {
     });
 }
 
-/// The chart of every material shown, and what stands in its corner: the hemispherical reflectances.
-fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
+/// The chart of every material shown, and the hemispherical reflectance of each in words.
+fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, Vec<String>) {
     let (session, answers, palette) = (&*cx.session, &mut *cx.answers, cx.palette);
     let options = *cx.options;
     let is_furnace = options.is_furnace && options.split == Split::Total;
@@ -85,7 +97,7 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
     for entry in session.materials.shown() {
         let curve = answers.ask(session, entry, request(session));
         let title = session.materials.title(entry);
-        means.push(hemispherical(&title, &curve));
+        means.push(hemispherical(&curve));
         for (index, part) in parts(&curve, options.split).into_iter().enumerate() {
             let own = palette.material(entry.slot());
             let color = part
@@ -156,13 +168,13 @@ fn chart(cx: &mut ViewContext<'_, Options>) -> (Chart, String) {
         color: palette.held(session.hold),
         dash: Dash::Solid,
     }];
-    (chart, means.join("     "))
+    (chart, means)
 }
 
 /// The share that leaves of light arriving from everywhere, in words.
-fn hemispherical(title: &str, curve: &Curve) -> String {
+fn hemispherical(curve: &Curve) -> String {
     let Some(mean) = &curve.hemispherical else {
-        return format!("{title}\u{a0}\u{a0}ρ_hh\u{a0}…");
+        return "ρ_hh\u{a0}…".to_owned();
     };
     let [r, t] = [mean.reflection, mean.transmission].map(|rgb| Channel::Luminance.of(rgb));
     let transmitted = if t > 0.0 {
@@ -170,10 +182,7 @@ fn hemispherical(title: &str, curve: &Curve) -> String {
     } else {
         String::new()
     };
-    format!(
-        "{title}\u{a0}\u{a0}ρ_hh\u{a0}{}{transmitted}",
-        format::value(r)
-    )
+    format!("ρ_hh\u{a0}{}{transmitted}", format::value(r))
 }
 
 /// The parts of a curve.

@@ -12,6 +12,7 @@ use crate::widgets::{choice, deltas, draw};
 use bxdf_lab::analysis::slice::{REGIONS, Region, Request, Slice, mirrored_at, pair_at, place_of};
 use bxdf_lab::analysis::{Channel, Subject};
 use bxdf_study::format;
+use bxdf_study::memo::{Memo, Same};
 use bxdf_study::session::{EntryId, MaterialEntry};
 use bxdf_study::views::DECADES;
 use bxdf_study::views::slice::{DIFFERENCE_AZIMUTH, Options};
@@ -44,29 +45,42 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         return;
     }
     let slices = slices(cx);
-    let scale = scale(
-        slices.iter().map(|(_, slice)| &**slice),
-        cx.options.is_logarithmic,
-    );
+    let Colors { scale, has_values } = *colors(cx, &slices);
     let mut room = ui.available_rect_before_wrap();
-    let is_above_zero = |rgb: &[f64; 3]| rgb.iter().any(|x| *x > 0.0);
-    let mut pixels = slices.iter().flat_map(|(_, slice)| &slice.raster.pixels);
-    if pixels.any(is_above_zero) {
+    if has_values {
         room = pictures::color_bar(ui, room, scale, "f, 1/sr", cx.palette);
     }
     let labels = draw::label_scale(ui) * LABELS;
-    for (index, cell) in pictures::cells(ui, room, slices.len(), 1.0)
-        .into_iter()
-        .enumerate()
-    {
-        if let Some((entry, slice)) = slices.get(index) {
-            let mut picture = cell.picture;
-            picture.min += vec2(labels.x, TITLE_GAP);
-            picture.max.y -= labels.y;
-            show_slice(ui, cx, Cell { picture, ..cell }, (*entry, slice), scale);
-        }
+    let mut inner = room;
+    inner.min.x += labels.x;
+    inner.max.y -= labels.y;
+    let cells = pictures::cells(ui, inner, slices.len(), 1.0);
+    // Pictures beside one another share their numbers.
+    let mut taken = Vec::new();
+    for (cell, (entry, slice)) in cells.iter().zip(&slices) {
+        let is_below = |other: &Cell| {
+            other.picture.left() == cell.picture.left() && other.picture.top() > cell.picture.top()
+        };
+        let edges = Edges {
+            is_left: cells
+                .iter()
+                .all(|other| other.picture.left() >= cell.picture.left()),
+            is_lowest: !cells.iter().any(is_below),
+        };
+        let mut picture = cell.picture;
+        picture.min.y += TITLE_GAP;
+        picture.max.x -= TITLE_GAP;
+        let cell = Cell { picture, ..*cell };
+        show_slice(ui, cx, (cell, edges), (*entry, slice), scale, &mut taken);
     }
     ui.advance_cursor_after_rect(room);
+}
+
+/// Which edges of the grid of pictures one of them is at.
+#[derive(Clone, Copy)]
+struct Edges {
+    is_left: bool,
+    is_lowest: bool,
 }
 
 fn controls(ui: &mut Ui, options: &mut Options) {
@@ -93,6 +107,29 @@ fn slices(cx: &mut ViewContext<'_, Options>) -> Vec<(EntryId, Arc<Slice>)> {
     let request = cx.options.request(session);
     let slice = |entry: &MaterialEntry| (entry.id(), answers.ask(session, entry, request));
     session.materials.shown().map(slice).collect()
+}
+
+/// How the slices are coloured.
+struct Colors {
+    scale: ColorScale,
+    /// Whether any value is above 0.
+    has_values: bool,
+}
+
+/// Those of these slices, found anew only where one of them is another one.
+fn colors(cx: &mut ViewContext<'_, Options>, slices: &[(EntryId, Arc<Slice>)]) -> Arc<Colors> {
+    let is_logarithmic = cx.options.is_logarithmic;
+    let all = slices.iter().map(|(_, slice)| Same(Arc::clone(slice)));
+    let key: (Vec<Same<Slice>>, bool) = (all.collect(), is_logarithmic);
+    let kept: &mut Memo<(Vec<Same<Slice>>, bool), Colors> = cx.state.own(cx.view);
+    kept.get(key, || {
+        let is_above_zero = |rgb: &[f64; 3]| rgb.iter().any(|x| *x > 0.0);
+        let mut pixels = slices.iter().flat_map(|(_, slice)| &slice.raster.pixels);
+        Colors {
+            scale: scale(slices.iter().map(|(_, slice)| &**slice), is_logarithmic),
+            has_values: pixels.any(is_above_zero),
+        }
+    })
 }
 
 /// The colours of the slices: without the few values at grazing angles that dwarf all others.
@@ -123,9 +160,10 @@ fn scale<'a>(slices: impl Iterator<Item = &'a Slice>, is_logarithmic: bool) -> C
 fn show_slice(
     ui: &Ui,
     cx: &mut ViewContext<'_, Options>,
-    cell: Cell,
+    (cell, edges): (Cell, Edges),
     (entry, slice): (EntryId, &Arc<Slice>),
     scale: ColorScale,
+    taken: &mut Vec<Rect>,
 ) {
     let picture = Picture {
         entry,
@@ -141,8 +179,8 @@ fn show_slice(
     let ring =
         Rect::from_center_size(ring, egui::Vec2::splat(2.0 * deltas::BESIDE_RING)).shrink(1.0);
     let has_ring = delta_at(cx, entry, theta_d).is_some();
-    let mut taken = Vec::from_iter(has_ring.then_some(ring));
-    draw_axes(ui, cell.picture, &request, &mut taken, cx.palette);
+    taken.extend(has_ring.then_some(ring));
+    draw_axes(ui, (cell.picture, edges), &request, taken, cx.palette);
     if cx.options.has_regions && cell.picture.width() > ROOM_FOR_NAMES {
         let mut taken = Vec::new();
         for region in &REGIONS {
@@ -156,7 +194,7 @@ fn show_slice(
             );
         }
     }
-    draw_delta(ui, cx, cell.picture, &mut taken, entry);
+    draw_delta(ui, cx, cell.picture, taken, entry);
     point(ui, cx, cell.picture, (entry, slice), &response);
 }
 
@@ -209,8 +247,15 @@ fn place([theta_h_deg, theta_d_deg]: [f64; 2], request: &Request) -> [f64; 2] {
     [x, 1.0 - theta_d_deg / 90.0]
 }
 
-/// The edges, their names and numbers: of the numbers those that have room beside one another and what is `taken`.
-fn draw_axes(ui: &Ui, rect: Rect, request: &Request, taken: &mut Vec<Rect>, palette: &Palette) {
+/// The frame, and at the edges of the grid names and numbers: of the numbers those that have room beside one another and what
+/// is `taken`.
+fn draw_axes(
+    ui: &Ui,
+    (rect, edges): (Rect, Edges),
+    request: &Request,
+    taken: &mut Vec<Rect>,
+    palette: &Palette,
+) {
     let painter = ui.painter();
     let font = draw::small_font(ui);
     painter.rect_stroke(rect, 0.0, (1.0, palette.axis), egui::StrokeKind::Outside);
@@ -219,7 +264,11 @@ fn draw_axes(ui: &Ui, rect: Rect, request: &Request, taken: &mut Vec<Rect>, pale
         let galley = painter.layout_no_wrap(text, font.clone(), palette.faint_ink);
         let below = pictures::position_of(rect, place([tick, 0.0], request)) + vec2(0.0, 3.0);
         let left = pictures::position_of(rect, place([0.0, tick], request)) - vec2(4.0, 0.0);
-        for (at, anchor) in [(below, Align2::CENTER_TOP), (left, Align2::RIGHT_CENTER)] {
+        let axes = [
+            (edges.is_lowest, below, Align2::CENTER_TOP),
+            (edges.is_left, left, Align2::RIGHT_CENTER),
+        ];
+        for (_, at, anchor) in axes.into_iter().filter(|(is_here, ..)| *is_here) {
             let place = anchor.anchor_size(at, galley.size());
             if !taken.iter().any(|other| other.intersects(place)) {
                 taken.push(place);
@@ -238,11 +287,11 @@ fn draw_axes(ui: &Ui, rect: Rect, request: &Request, taken: &mut Vec<Rect>, pale
         Some(galley).filter(|galley| galley.size().x <= rect.width())
     };
     let scale = draw::label_scale(ui);
-    if let Some(galley) = named(name) {
+    if let Some(galley) = named(name).filter(|_| edges.is_lowest) {
         let below = rect.center_bottom() + vec2(-0.5 * galley.size().x, scale * 18.0);
         painter.galley(below, galley, palette.ink);
     }
-    if let Some(galley) = named("θd (difference)") {
+    if let Some(galley) = named("θd (difference)").filter(|_| edges.is_left) {
         let corner = rect.left_center() + vec2(-scale * LABELS.x, 0.5 * galley.size().x);
         let text = egui::epaint::TextShape::new(corner, galley, palette.ink);
         painter.add(text.with_angle(-std::f32::consts::FRAC_PI_2));

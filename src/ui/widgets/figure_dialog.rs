@@ -9,9 +9,6 @@ use bxdf_study::colors::Theme;
 use bxdf_study::export::figure::{FigureChoice, USES};
 use bxdf_study::export::{FORMATS, Format};
 
-/// The most characters of a title of a person's own.
-const LONGEST: usize = 120;
-
 /// What becomes of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -100,7 +97,6 @@ fn choices(ui: &mut Ui, choice: &mut FigureChoice, title: &mut String, automatic
     ui.add(has_title).on_hover_text(hint);
     let field = TextEdit::singleline(title)
         .hint_text(automatic)
-        .char_limit(LONGEST)
         .desired_width(f32::INFINITY);
     let field = ui.add_enabled(choice.has_title, field);
     ui.ctx()

@@ -29,6 +29,9 @@ const GAPS: [f32; 2] = [6.0, 14.0];
 /// The room for how many are left out, in points.
 const MORE: f32 = 84.0;
 
+/// The least room for a name, in points.
+const SHORTEST: f32 = 60.0;
+
 /// The room to the left of the first entry, in points.
 const MARGIN: f32 = 4.0;
 
@@ -37,16 +40,25 @@ struct Item<'a> {
     entry: &'a MaterialEntry,
     title: String,
     text: Arc<egui::Galley>,
+    /// What stands behind the name.
+    number: Arc<egui::Galley>,
     /// Its place, counted from the corner of the legend.
     place: Rect,
 }
 
-/// The names of the materials shown, above a view; a click selects one. A single one needs no legend.
-pub fn show(ui: &mut Ui, swatch: Swatch, session: &mut Session, palette: &Palette) {
+/// The names of the materials shown, above a view, each with its number of `numbers` behind it where there are any; a click
+/// selects one. A single one needs no legend.
+pub fn show(
+    ui: &mut Ui,
+    swatch: Swatch,
+    numbers: &[String],
+    session: &mut Session,
+    palette: &Palette,
+) {
     if !session.materials.is_overlay() {
         return;
     }
-    let items = items(ui, session);
+    let items = items(ui, session, numbers);
     let left_out = session.materials.shown().count() - items.len();
     let last = items.last().map_or(Rect::ZERO, |item| item.place);
     let width = ui.available_width();
@@ -86,29 +98,37 @@ pub fn show(ui: &mut Ui, swatch: Swatch, session: &mut Session, palette: &Palett
 }
 
 /// The entries that fit, one after the other in rows.
-fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
+fn items<'a>(ui: &Ui, session: &'a Session, numbers: &[String]) -> Vec<Item<'a>> {
     let [gap, distance] = GAPS;
     let width = ui.available_width();
-    let longest = 0.5 * width - theme::LINE_SAMPLE - gap - distance;
+    let share = if numbers.is_empty() { 0.5 } else { 1.0 };
+    let longest = share * width - theme::LINE_SAMPLE - gap - distance;
+    // Nobody can ask a picture for what is left out.
+    let most_rows = if still::is(ui) { usize::MAX } else { MAX_ROWS };
+    let written = |text: &str, room: f32| {
+        let (text, wrap) = (RichText::new(text).small(), TextWrapMode::Truncate);
+        WidgetText::from(text).into_galley(ui, Some(wrap), room, FontSelection::Default)
+    };
     let (mut x, mut row) = (MARGIN, 0);
     let mut items = Vec::new();
-    let mut shown = session.materials.shown().peekable();
-    while let Some(entry) = shown.next() {
+    let mut shown = session.materials.shown().zip(0_usize..).peekable();
+    while let Some((entry, index)) = shown.next() {
         let title = session.materials.title(entry);
-        let text = WidgetText::from(RichText::new(&title).small()).into_galley(
-            ui,
-            Some(TextWrapMode::Truncate),
-            longest,
-            FontSelection::Default,
-        );
+        let number = numbers.get(index).map_or("", String::as_str);
+        let number = written(number, f32::INFINITY);
+        let behind = match number.size().x {
+            0.0 => 0.0,
+            width => gap + width,
+        };
+        let text = written(&title, (longest - behind).max(SHORTEST));
         let height = draw::label_scale(ui) * theme::LEGEND_ROW;
-        let size = vec2(theme::LINE_SAMPLE + gap + text.size().x, height);
+        let size = vec2(theme::LINE_SAMPLE + gap + text.size().x + behind, height);
         if x > MARGIN && x + size.x > width {
             (x, row) = (MARGIN, row + 1);
         }
         // Behind the last one that fits stands how many are left out.
-        let is_followed = row + 1 == MAX_ROWS && shown.peek().is_some();
-        if row == MAX_ROWS || (is_followed && x + size.x + MORE > width) {
+        let is_followed = row + 1 == most_rows && shown.peek().is_some();
+        if row == most_rows || (is_followed && x + size.x + MORE > width) {
             break;
         }
         let corner = pos2(x, row as f32 * height);
@@ -118,6 +138,7 @@ fn items<'a>(ui: &Ui, session: &'a Session) -> Vec<Item<'a>> {
             entry,
             title,
             text,
+            number,
             place,
         });
     }
@@ -155,6 +176,8 @@ fn draw_item(
     let x = left.x + theme::LINE_SAMPLE + GAPS[0];
     let place = pos2(x, rect.center().y - 0.5 * item.text.size().y);
     painter.galley_with_override_text_color(place, Arc::clone(&item.text), ink);
+    let behind = place + vec2(item.text.size().x + GAPS[0], 0.0);
+    painter.galley_with_override_text_color(behind, Arc::clone(&item.number), ink);
     if is_strong {
         let below = rect.bottom() - 1.0;
         painter.hline(x..=rect.right(), below, (1.0, color));

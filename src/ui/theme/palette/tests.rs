@@ -11,6 +11,9 @@ const THEMES: [Theme; 2] = [Theme::Dark, Theme::Light];
 /// The contrast of lines and marks that WCAG 2.1 asks for (success criterion 1.4.11).
 const LINE_CONTRAST: f32 = 3.0;
 
+/// The enhanced contrast of text of the same guidelines (1.4.6).
+const FIGURE_CONTRAST: f32 = 7.0;
+
 /// The least CIEDE2000 between colours that mean different things.
 const APART: f64 = 12.0;
 
@@ -129,6 +132,15 @@ fn text_and_handles_can_be_read_on_everything_behind_them() {
                 "{theme:?}: text on {fill:?}: {found:.2}"
             );
         }
+    }
+}
+
+#[test]
+fn secondary_text_of_figures_is_read_from_afar() {
+    for theme in THEMES {
+        let palette = Palette::of(theme).of_figure();
+        let found = contrast(palette.faint_ink, palette.background);
+        assert!(found >= FIGURE_CONTRAST, "{theme:?}: {found:.2}");
     }
 }
 

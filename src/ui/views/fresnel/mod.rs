@@ -114,6 +114,7 @@ fn show_chart(
     (fresnel, is_over_wavelength): (&Fresnel, bool),
 ) {
     let shown = chart.show(ui, None, cx.palette);
+    cx.lacks(shown.lacking());
     let [low, high] = chart.x.range;
     let pointed = chart
         .pointed(&shown)

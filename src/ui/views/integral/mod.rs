@@ -30,6 +30,7 @@ mod kept;
 mod panel;
 mod play;
 mod scene;
+mod small;
 mod words;
 
 /// In a room wider than this, for each half of the sphere, the numbers stand beside the one picture, in points; and how wide they
@@ -37,14 +38,8 @@ mod words;
 const BESIDE: f32 = 400.0;
 const PANEL: [f32; 2] = [230.0, 340.0];
 
-/// The width of the bar beside a small picture, in points.
-const SLIM_BAR: f32 = 12.0;
-
 /// The part of a small picture that the numbers below it take at most.
 const TEXT_SHARE: f32 = 0.45;
-
-/// Below narrower pictures the numbers stand in short lines, by their width in points.
-const NARROW: f32 = 270.0;
 
 /// A sum with what it comes near to.
 struct Known {
@@ -94,7 +89,11 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         let name = cx.options.quantity_name();
         pictures = pictures::color_bar(ui, pictures, scale, &name, cx.palette);
     }
-    let cells = pictures::cells(ui, pictures, known.len(), Scene::aspect(halves));
+    let cells = if is_beside {
+        pictures::cells(ui, pictures, known.len(), Scene::aspect(halves))
+    } else {
+        small::cells(ui, pictures, known.len(), halves)
+    };
     for (cell, one) in cells.into_iter().zip(&known) {
         let shown = shown(one);
         if is_beside {
@@ -348,16 +347,15 @@ impl Shown<'_> {
     /// The picture with a slim bar, and the numbers below it.
     fn small(&self, ui: &mut Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
         let font = draw::small_font(ui);
-        let line = font.size + 4.0;
-        let is_narrow = rect.width() < NARROW;
-        let most = if is_narrow { 3 } else { 2 };
+        let (line, most) = (small::line_height(ui), small::most_lines(rect.width()));
+        let is_narrow = small::is_narrow(rect.width());
         // The picture comes first.
         let lines = ((TEXT_SHARE * rect.height() / line) as usize).min(most);
         let picture = rect.with_max_y(rect.bottom() - lines as f32 * line);
         let bar = picture
-            .with_min_x(picture.right() - SLIM_BAR)
+            .with_min_x(picture.right() - small::BAR)
             .shrink2(vec2(0.0, 6.0));
-        let picture = picture.with_max_x(bar.left() - 8.0);
+        let picture = picture.with_max_x(bar.left() - small::BAR_GAP);
         self.figure(ui, cx, picture);
         let standing = self.standing(cx);
         standing.bar(ui.painter(), bar.translate(vec2(-5.0, 0.0)));

@@ -13,6 +13,7 @@ use crate::theme::{Dash, rgba};
 use crate::widgets::labels::Labels;
 use crate::widgets::legend::Swatch;
 use crate::widgets::{draw, pictures, reset, still};
+use axes::Solids;
 use bxdf::math::frame;
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{HomeView, LobeSurface, OrbitCamera, Session};
@@ -23,6 +24,7 @@ use scene::Requested;
 use sketch::Sketch;
 use surface::{Lobes, Scales};
 
+mod axes;
 mod glide;
 mod held;
 mod isolines;
@@ -132,6 +134,13 @@ fn show_scene(
         palette: cx.palette,
         labels: RefCell::new(labels),
     };
+    if cx.state.is_drawing {
+        let solids = Solids {
+            lobes: &drawing.lobes,
+            has_table: !has_lower,
+        };
+        axes::draw(&ui.painter_at(rect), rect, &camera, &solids, cx.palette);
+    }
     sketch.draw(cx.session, &directions, &drawing);
     offer_peaks(ui, cx, &drawing.lobes, rect);
     if held::drag(ui, cx, rect, &camera) {

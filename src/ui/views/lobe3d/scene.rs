@@ -45,6 +45,7 @@ struct Key {
     scales: Scales,
     session: Session,
     is_dark: bool,
+    has_axes: bool,
 }
 
 /// What was asked for a material.
@@ -128,7 +129,9 @@ pub(super) fn drawing(
             ..cx.session.clone()
         },
         is_dark: ui.ctx().theme() == Theme::Dark,
+        has_axes: !cx.state.is_drawing,
     };
+    let has_axes = key.has_axes;
     let (session, palette) = (&*cx.session, cx.palette);
     let version = cx.state.unused_number();
     let whose = match &*requested {
@@ -164,7 +167,9 @@ pub(super) fn drawing(
         }
         add_brush_lines(&mut scene, session, palette);
         add_dome(&mut scene, session, palette, has_lower);
-        add_axes(&mut scene, palette);
+        if has_axes {
+            add_axes(&mut scene, palette);
+        }
         add_directions(&mut scene, session, &lobes, palette);
         if session.show_geometry {
             add_geometry(&mut scene, session, palette);

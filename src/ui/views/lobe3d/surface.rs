@@ -28,6 +28,7 @@ pub(super) struct Part {
 }
 
 /// The lobes of all materials shown.
+#[derive(Default)]
 pub(super) struct Lobes {
     pub(super) all: Vec<(Part, DrawnLobe)>,
     /// In proportion, or by decades.

@@ -154,6 +154,7 @@ pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     chart.has_labels = cx.state.is_figure() && studies.len() > 1;
     ui.label(RichText::new(texts.join("     ")).small().weak());
     let shown = chart.show(ui, None, cx.palette);
+    cx.lacks(shown.lacking());
     if let Some([x, _]) = chart.pointed(&shown) {
         chart.read_out(
             ui,
@@ -166,8 +167,9 @@ pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 }
 
 /// Draws a chart and reads out under the pointer.
-fn read(ui: &mut Ui, cx: &ViewContext<'_, Options>, chart: &Chart, heading: &str) {
+fn read(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, chart: &Chart, heading: &str) {
     let shown = chart.show(ui, None, cx.palette);
+    cx.lacks(shown.lacking());
     if let Some([x, _]) = chart.pointed(&shown) {
         chart.read_out(
             ui,

@@ -1,5 +1,6 @@
 //! The sampling on discs of directions: samples, the warp of the square, the histogram.
 
+use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -12,7 +13,7 @@ use super::studies::color_of;
 use crate::scene3d::Projection as _;
 use crate::theme::Palette;
 use crate::widgets::draw;
-use crate::widgets::labels::Labels;
+use crate::widgets::labels::{Labels, Place, Reach};
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
 use bxdf::math::frame;
 use bxdf_lab::analysis::hemisphere::Projection;
@@ -28,6 +29,11 @@ const DISC: Projection = Projection::EqualArea;
 
 /// Room for labels around a disc, in points.
 const LABELS: f32 = 14.0;
+
+/// The room of light and viewer, and the radius of the ring of a delta, in points.
+const HANDLE: Vec2 = Vec2::splat(12.0);
+/// See [`HANDLE`].
+const RING: f32 = 7.0;
 
 /// The most samples drawn as dots, and the most for each square point of the picture: more are a blot.
 const MOST_DOTS: usize = 4096;
@@ -73,7 +79,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, draw_disc: Dr
             ..cell
         };
         pictures::title(ui, cell, entry, cx.session, cx.palette);
-        let disc = Disc::of(disc.picture, cx);
+        let disc = Disc::of(ui, disc.picture, cx);
         draw_disc(ui, cx, &disc, entry);
         disc.frame(ui, cx);
     }
@@ -85,16 +91,25 @@ pub(super) struct Disc {
     rect: Rect,
     /// The camera that looks at the dome.
     camera: Option<OrbitCamera>,
+    /// Where names stand, clear of light and viewer.
+    labels: RefCell<Labels>,
 }
 
 impl Disc {
-    fn of(rect: Rect, cx: &ViewContext<'_, Options>) -> Self {
+    fn of(ui: &Ui, rect: Rect, cx: &ViewContext<'_, Options>) -> Self {
         let (session, options) = (&*cx.session, &*cx.options);
         let is_dome = options.is_dome && options.plot.shows_directions();
-        Self {
+        let bounds = rect.expand(draw::label_scale(ui) * LABELS);
+        let disc = Self {
             rect,
             camera: is_dome.then(|| session.camera.clone()),
+            labels: RefCell::new(Labels::within(bounds.intersect(ui.clip_rect()))),
+        };
+        for one in cx.directions() {
+            let handle = Rect::from_center_size(disc.position(one.direction), HANDLE);
+            disc.labels.borrow_mut().keep_off(handle);
         }
+        disc
     }
 
     /// Where a direction lies, whichever side it is on.
@@ -135,7 +150,6 @@ impl Disc {
                 palette.ink,
             );
         }
-        let mut labels = Labels::within(self.rect.expand(draw::label_scale(ui) * LABELS));
         for one in cx.directions() {
             let at = self.position(one.direction);
             if one.direction.z > 0.0 {
@@ -143,14 +157,14 @@ impl Disc {
             } else {
                 painter.circle_stroke(at, 4.0, (1.0, one.color));
             }
-            labels.keep_off(Rect::from_center_size(at, Vec2::splat(12.0)));
         }
         if self.rect.width() < ROOM_FOR_NAMES {
             return;
         }
         for one in cx.directions() {
             let (at, centre) = (self.position(one.direction), self.rect.center());
-            direction::name(ui, painter, cx, &mut labels, (&one, at, centre));
+            let labels = &mut self.labels.borrow_mut();
+            direction::name(ui, painter, cx, labels, (&one, at, centre));
         }
     }
 }
@@ -183,16 +197,23 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
         let number = one_side.clone().count();
         if let Some(first) = one_side.clone().next() {
             let at = disc.position(first.direction);
-            painter.circle_stroke(at, 7.0, (2.0, color));
+            painter.circle_stroke(at, RING, (2.0, color));
+            let ring = Rect::from_center_size(at, Vec2::splat(2.0 * RING));
+            disc.labels.borrow_mut().keep_off(ring);
             let side = if is_upper { "up" } else { "down" };
             let text = format!("{number} in the delta {side}");
-            let below = at + vec2(0.0, if is_upper { -16.0 } else { 16.0 });
-            let font = draw::small_font(ui);
-            let (anchor, ink) = (Align2::CENTER_CENTER, cx.palette.ink);
+            let (font, ink) = (draw::small_font(ui), cx.palette.ink);
             let galley = painter.layout_no_wrap(text.clone(), font.clone(), ink);
-            // In a small disc the ring stands alone.
-            if galley.size().x < disc.rect.width() {
-                draw::haloed_text(painter, below, anchor, &text, font, ink, cx.palette);
+            let towards = if is_upper { Vec2::UP } else { Vec2::DOWN };
+            let (from, size) = (at + RING * towards, galley.size() + vec2(6.0, 2.0));
+            let place = disc
+                .labels
+                .borrow_mut()
+                .place(from, size, towards, Reach::Near);
+            // Where there is no room, the ring stands alone.
+            if let Some(Place { rect, .. }) = place {
+                let (at, anchor) = (rect.center(), Align2::CENTER_CENTER);
+                draw::haloed_text(painter, at, anchor, &text, font, ink, cx.palette);
             }
         }
     }
@@ -234,7 +255,7 @@ pub(super) fn draw_warp(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Disc,
 
 /// A small note at the lower left of a disc.
 fn note(ui: &Ui, rect: Rect, text: &str, palette: &Palette) {
-    let place = rect.left_bottom() + vec2(0.0, 8.0);
+    let place = rect.left_bottom() + vec2(0.0, draw::label_scale(ui) * LABELS);
     let font = draw::small_font(ui);
     draw::haloed_text(
         ui.painter(),

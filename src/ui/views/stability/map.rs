@@ -28,6 +28,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let room = pictures::color_bar(ui, whole, scale, name, cx.palette);
     let mut note = None;
     let rooms = plate::rooms(ui, room, PRECISIONS.len());
+    cx.lacks(plate::lacking(&rooms));
     for (index, (picture, title)) in rooms.into_iter().zip(PRECISIONS).enumerate() {
         plate::title(ui, picture, title, cx.palette);
         note = show_map(ui, cx, picture, (&request, &map, index), scale).or(note);

@@ -26,6 +26,9 @@ const ROUNDINGS: [f64; 2] = [0.1, 1e3];
 /// One rounding in each precision.
 const UNIT_ROUNDOFFS: [f64; 2] = [f32::UNIT_ROUNDOFF, f64::UNIT_ROUNDOFF];
 
+/// Maps are legible from this side on, in points.
+const LEGIBLE: f32 = 130.0;
+
 /// Room for the names and numbers of the axes, in points: at the left and below.
 fn label_room(ui: &Ui) -> egui::Vec2 {
     draw::label_scale(ui) * vec2(54.0, 30.0)
@@ -68,6 +71,12 @@ pub(super) fn rooms(ui: &Ui, room: Rect, n: usize) -> Vec<Rect> {
     let side = (room.height() / n as f32).max(2.0 * labels.x);
     let cells = pictures::cells(ui, room, n, (side + labels.x) / (side + labels.y));
     cells.iter().map(|cell| square(cell, labels)).collect()
+}
+
+/// By how much maps are too small to be legible, in points.
+pub(super) fn lacking(rooms: &[Rect]) -> f32 {
+    let small = rooms.iter().map(|room| LEGIBLE - room.height());
+    small.fold(0.0, f32::max)
 }
 
 /// The largest square of a cell beside its axes.

@@ -12,6 +12,9 @@ use bxdf_study::views::tradeoff::Options;
 /// A room this many times as wide as high has the charts side by side.
 const WIDE: f32 = 1.3;
 
+/// A narrower room has them one above the other, in points: legends and axes would fill it.
+const NARROW: f32 = 440.0;
+
 /// Draws the charts that have points into the room left.
 pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Report) {
     let families = |question: Question| -> Vec<&FamilyReport> {
@@ -23,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: &Repo
     let asked: Vec<_> = asked.iter().filter(|(_, some)| !some.is_empty()).collect();
     let errors = plot::errors(report, cx.options.tolerance);
     let (room, gap) = (ui.available_size(), ui.spacing().item_spacing);
-    let columns = if room.x > WIDE * room.y {
+    let columns = if room.x > WIDE * room.y && room.x > NARROW {
         asked.len()
     } else {
         1

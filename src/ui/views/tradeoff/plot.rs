@@ -83,6 +83,7 @@ pub(super) fn show(
         });
     }
     let shown = chart.show(ui, Some(height), cx.palette);
+    cx.lacks(shown.lacking());
     if !cx.state.is_picture {
         drag_tolerance(ui, cx, question, (&chart, &shown));
     }

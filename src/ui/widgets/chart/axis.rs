@@ -140,10 +140,11 @@ impl Axis {
         self.range.map(|end| self.place(end))
     }
 
-    /// How it is drawn; `fits`: whether there is room for a name.
+    /// How it is drawn, with numbers that are farther apart than `spacing`, in points; `fits`: whether there is room for a name.
     pub(super) fn hints(
         &self,
         hints: AxisHints<'static>,
+        spacing: f32,
         fits: impl Fn(&str) -> bool,
     ) -> AxisHints<'static> {
         let is_logarithmic = self.is_logarithmic;
@@ -155,6 +156,7 @@ impl Axis {
             Some(name) => hints.label(name.clone()),
             None => hints,
         };
+        let hints = hints.label_spacing(spacing..=spacing);
         hints.formatter(move |mark, range| tick(mark, is_logarithmic, range.end() - range.start()))
     }
 }

@@ -1,6 +1,6 @@
 //! The names of curves, each beside its curve.
 
-use egui::{Pos2, Rect, RichText, Sense, Ui, vec2};
+use egui::{Label, Pos2, Rect, RichText, Sense, Ui, vec2};
 
 use super::series::Series;
 use super::{Chart, Shown, choice, draw};
@@ -35,7 +35,8 @@ impl Chart {
                     let ends = [rect.left_center(), rect.right_center()];
                     let stroke = (series.width, series.color);
                     draw::line(ui.painter(), ends, stroke, series.dash);
-                    ui.label(RichText::new(&series.name).small());
+                    // Narrower than one name, the chart shows its beginning.
+                    ui.add(Label::new(RichText::new(&series.name).small()).truncate());
                 });
             }
         });

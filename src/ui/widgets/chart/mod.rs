@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use egui::{Align2, IdSalt, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{IdSalt, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 use egui_plot::{
     AxisHints, FilledArea, HLine, Line, Plot, PlotMemory, PlotPoint, PlotPoints, PlotTransform,
     PlotUi, Points, VLine,
@@ -16,12 +16,20 @@ pub use series::{Band, Dots, Mark, Series, Stem, style};
 
 mod axis;
 mod labels;
+mod marks;
 mod series;
 mod stems;
 
 /// Room at the right of a plot for half a number, and the least height of one, in points.
 const END_ROOM: f32 = 12.0;
 const LEAST_HEIGHT: f32 = 30.0;
+
+/// Numbers of the axis to the right and of that upwards are written where they are farther apart than this, in points, and as
+/// strong there as anywhere: faint ones cannot be read.
+const NUMBERS: [f32; 2] = [60.0, 20.0];
+
+/// A chart is legible from this height on, as a share of its width.
+const LEGIBLE: f32 = 0.42;
 
 /// Room below what is drawn, as a share of its height.
 const FOOT: f64 = 0.03;
@@ -129,8 +137,16 @@ impl Chart {
             .id(id)
             .width(room.x)
             .height(room.y)
-            .custom_x_axes(vec![self.x.hints(AxisHints::new_x(), fits(room.x))])
-            .custom_y_axes(vec![self.y.hints(AxisHints::new_y(), fits(room.y))])
+            .custom_x_axes(vec![self.x.hints(
+                AxisHints::new_x(),
+                NUMBERS[0],
+                fits(room.x),
+            )])
+            .custom_y_axes(vec![self.y.hints(
+                AxisHints::new_y(),
+                NUMBERS[1],
+                fits(room.y),
+            )])
             .set_margin_fraction(vec2(0.0, 0.0))
             .include_x(x_low)
             .include_x(x_high)
@@ -244,51 +260,6 @@ impl Chart {
         }
     }
 
-    /// The names of the marks at the top, of the levels at the right. Returns where they stand.
-    fn name_marks(&self, ui: &Ui, shown: &Shown, palette: &Palette) -> Vec<Rect> {
-        let frame = shown.frame();
-        let painter = ui.painter_at(frame);
-        let mut taken: Vec<Rect> = Vec::new();
-        let font = draw::small_font(ui);
-        let size = |mark: &Mark| {
-            let galley = painter.layout_no_wrap(mark.name.clone(), font.clone(), mark.color);
-            galley.size()
-        };
-        let write = |mark: &Mark, rect: Rect| {
-            let (font, color) = (font.clone(), mark.color);
-            let (at, anchor) = (rect.min, Align2::LEFT_TOP);
-            draw::haloed_text(&painter, at, anchor, &mark.name, font, color, palette);
-        };
-        let at = |mark: &Mark| shown.position([self.x.place(mark.at), 0.0]).x;
-        let lines: Vec<f32> = self.marks.iter().map(at).collect();
-        let mut marks: Vec<&Mark> = self.marks.iter().collect();
-        marks.retain(|mark| !mark.name.is_empty() && frame.x_range().contains(at(mark)));
-        // Those first that find a place where they cover no line; the others where they cover no name.
-        for lines in [&lines[..], &[]] {
-            marks.retain(|mark| {
-                let place = beside_line((&taken, frame), lines, at(mark), size(mark));
-                if let Some(rect) = place {
-                    taken.push(rect);
-                    write(mark, rect);
-                }
-                place.is_none()
-            });
-        }
-        for level in self.levels.iter().filter(|level| !level.name.is_empty()) {
-            let y = shown.position([0.0, self.y.place(level.at)]).y;
-            if frame.y_range().contains(y) {
-                let place = Pos2::new(frame.right() - 4.0, y - 2.0);
-                let rect = Align2::RIGHT_BOTTOM.anchor_size(place, size(level));
-                let place = draw::free_place(&mut taken, rect);
-                let is_over = |other: &Rect| *other != place && other.intersects(place);
-                if frame.contains_rect(place) && !taken.iter().any(is_over) {
-                    write(level, place);
-                }
-            }
-        }
-        taken
-    }
-
     /// The x and y under the pointer, in the units of the axes.
     #[must_use]
     pub fn pointed(&self, shown: &Shown) -> Option<[f64; 2]> {
@@ -370,27 +341,11 @@ impl Shown {
     pub fn frame(&self) -> Rect {
         *self.transform.frame()
     }
-}
 
-/// The place of a name of this size beside the upright line at `x`: to its right or left in the highest row of the frame
-/// where none of `taken` stands, and none of the upright `lines`.
-fn beside_line(
-    (taken, frame): (&[Rect], Rect),
-    lines: &[f32],
-    x: f32,
-    size: egui::Vec2,
-) -> Option<Rect> {
-    const ROWS: u8 = 6;
-    let of_row = |row: u8| {
-        // Rows that touch would take each other's places.
-        let y = frame.top() + 2.0 + f32::from(row) * (size.y + 1.0);
-        let right = Rect::from_min_size(Pos2::new(x + 3.0, y), size);
-        [right, right.translate(vec2(-size.x - 6.0, 0.0))]
-    };
-    let is_free = |place: &Rect| {
-        frame.contains_rect(*place)
-            && taken.iter().all(|other| !other.intersects(*place))
-            && !lines.iter().any(|line| place.x_range().contains(*line))
-    };
-    (0..ROWS).flat_map(of_row).find(is_free)
+    /// By how much it is too low to be legible, in points.
+    #[must_use]
+    pub fn lacking(&self) -> f32 {
+        let size = self.frame().size();
+        (LEGIBLE * size.x - size.y).max(0.0)
+    }
 }

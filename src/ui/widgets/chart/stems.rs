@@ -10,6 +10,9 @@ use crate::theme::Palette;
 /// The shares written at the right, where values have another scale.
 const TICKS: [f64; 2] = [0.5, 1.0];
 
+/// The length of a tick of shares, and where its text begins, from the edge, in points.
+const TICK: [f32; 2] = [5.0, 7.0];
+
 /// Between stems that would hide one another, in points.
 const BESIDE: f32 = 6.0;
 
@@ -61,18 +64,36 @@ impl Chart {
         let frame = shown.frame();
         let painter = ui.painter_at(frame);
         if !self.has_share_axis() && !first.name.is_empty() {
-            let font = draw::small_font(ui);
+            let (font, color) = (draw::small_font(ui), palette.faint_ink);
             for tick in TICKS {
                 let [_, tip] = self.ends_of(shown, first.at, tick);
-                let right = Pos2::new(frame.right(), tip.y);
-                painter.hline(right.x - 5.0..=right.x, right.y, (1.0, palette.axis));
                 let text = format!("share {tick}");
-                let at = right - vec2(7.0, 0.0);
-                let color = palette.faint_ink;
                 let galley = painter.layout_no_wrap(text.clone(), font.clone(), color);
-                taken.push(Align2::RIGHT_CENTER.anchor_size(at, galley.size()));
-                let (anchor, font) = (Align2::RIGHT_CENTER, font.clone());
-                draw::haloed_text(&painter, at, anchor, &text, font, color, palette);
+                // At the right, but where a stem stands there; nothing of it is to be hidden.
+                let at = |anchor: Align2, edge: f32, inwards: f32| {
+                    let place = Pos2::new(edge + inwards * TICK[1], tip.y);
+                    (anchor.anchor_size(place, galley.size()), edge, inwards)
+                };
+                let sides = [
+                    at(Align2::RIGHT_CENTER, frame.right(), -1.0),
+                    at(Align2::LEFT_CENTER, frame.left(), 1.0),
+                ];
+                let is_clear = |(rect, ..): &(Rect, f32, f32)| {
+                    let room = rect.expand(BESIDE).x_range();
+                    let mut feet = self
+                        .stems
+                        .iter()
+                        .map(|stem| self.ends_of(shown, stem.at, tick)[0].x);
+                    feet.all(|x| !room.contains(x))
+                };
+                let Some((rect, edge, inwards)) = sides.into_iter().find(is_clear) else {
+                    continue;
+                };
+                let ends = [edge, edge + inwards * TICK[0]].map(|x| Pos2::new(x, tip.y));
+                painter.line_segment(ends, (1.0, palette.axis));
+                taken.push(rect);
+                let (at, anchor) = (rect.center(), Align2::CENTER_CENTER);
+                draw::haloed_text(&painter, at, anchor, &text, font.clone(), color, palette);
             }
         }
         // Where each was wanted, and where it stands.
