@@ -34,6 +34,8 @@ enum Of {
     Entry(EntryId),
     /// One of the lists of models and named materials, by its id: it is in no session.
     Listed(&'static str),
+    /// None of them.
+    Nothing,
 }
 
 /// The answers of one material.
@@ -175,7 +177,7 @@ impl Answers {
             });
             match of {
                 Of::Entry(id) => session.materials.get(*id).is_some(),
-                Of::Listed(_) => !answers.slots.is_empty(),
+                Of::Listed(_) | Of::Nothing => !answers.slots.is_empty(),
             }
         });
     }
@@ -271,6 +273,14 @@ impl Answers {
     ) -> Option<Arc<Q::Answer>> {
         const { assert!(!matches!(Q::BASIS, Basis::Held)) };
         self.find(Of::Listed(id), material, Some(0.0), query)
+    }
+
+    /// The answer to `query`, which is of no material; `None` before there is one.
+    pub fn of_nothing<Q: Query>(&mut self, query: Q) -> Option<Arc<Q::Answer>> {
+        const { assert!(matches!(Q::BASIS, Basis::Nothing)) };
+        // Whatever it is asked about is not looked at.
+        let [any, ..] = bxdf::models::MODELS;
+        self.find(Of::Nothing, &Material::of(any), Some(0.0), query)
     }
 
     fn find<Q: Query>(

@@ -42,6 +42,8 @@ pub type Tell<'a, A> = &'a dyn Fn(A, f64);
 /// What an answer depends on besides its query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Basis {
+    /// Nothing: it is of no material.
+    Nothing,
     /// The material alone, however it is turned.
     Material,
     /// The surface.

@@ -5,15 +5,18 @@
 //! same rounded parameter: the reason why the core's code looks as it does.
 
 mod formulas;
+mod query;
 
 use xprec::Df64;
 
+use super::analysis::IsWanted;
 use super::analysis::raster::Raster;
 use super::rounding::{relative_difference, stability_bound};
 use bxdf::internals::Libm;
 use bxdf::math::Real;
 
 use formulas::Formula;
+pub use query::{CurveRequest, MapRequest};
 
 /// Errors at one value of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +63,26 @@ pub struct Comparison {
     outcome: fn([f64; 2], Inputs) -> Outcome,
 }
 
+/// The comparison of this id; the first where there is none.
+#[must_use]
+pub fn find(id: &str) -> &'static Comparison {
+    let [first, ..] = &COMPARISONS;
+    let found = COMPARISONS.iter().find(|comparison| comparison.id == id);
+    found.unwrap_or(first)
+}
+
+impl PartialEq for Comparison {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl std::fmt::Debug for Comparison {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Comparison({})", self.id)
+    }
+}
+
 /// Which of the arguments are inputs whose rounding is allowed for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Inputs {
@@ -96,6 +119,11 @@ impl Comparison {
     /// The errors over both arguments, `size` values of each; `None` where there is no second one.
     #[must_use]
     pub fn map(&self, size: usize) -> Option<Map> {
+        self.map_while(size, &|| true)
+    }
+
+    /// The same, `None` also where it was not wanted to the end.
+    fn map_while(&self, size: usize, is_wanted: IsWanted<'_>) -> Option<Map> {
         let second = self.second?;
         let middle = |index: usize| (index as f64 + 0.5) / size as f64;
         let row = |index: usize| {
@@ -103,7 +131,7 @@ impl Comparison {
             let cell = |index| self.at_both([along(self.range, middle(index)), y]);
             (0..size).map(cell).collect()
         };
-        Raster::rows_while(size, size, &|| true, row)
+        Raster::rows_while(size, size, is_wanted, row)
     }
 
     /// The errors at `count` values evenly over the decades of the range, with the values.

@@ -72,8 +72,10 @@ pub(super) struct Asked<Q> {
 impl<Q: Query> PartialEq for Asked<Q> {
     fn eq(&self, other: &Self) -> bool {
         // A surface is equal to itself alone, so that it need not be compared.
-        let is_same = |a: &Arc<Surface>, b: &Arc<Surface>| {
-            Arc::ptr_eq(a, b) || Q::BASIS == Basis::Material && a.material == b.material
+        let is_same = |a: &Arc<Surface>, b: &Arc<Surface>| match Q::BASIS {
+            Basis::Nothing => true,
+            Basis::Material => Arc::ptr_eq(a, b) || a.material == b.material,
+            Basis::Surface | Basis::Held => Arc::ptr_eq(a, b),
         };
         let are_same = match (&self.against, &other.against) {
             (Some(a), Some(b)) => is_same(a, b),
@@ -108,7 +110,7 @@ impl<Q: Query> Asked<Q> {
             against,
             held: match Q::BASIS {
                 Basis::Held => Held::of(session),
-                Basis::Surface | Basis::Material => Held::ANY,
+                Basis::Surface | Basis::Material | Basis::Nothing => Held::ANY,
             },
             ..Self::of(surface, query)
         }

@@ -9,6 +9,7 @@ use super::words::words;
 use crate::answers::Answers;
 use crate::export::table::Table;
 use crate::session::Session;
+use bxdf_lab::formula_comparison::{self, Comparison, CurveRequest, MapRequest};
 use bxdf_lab::stability::map::{Axis, Place, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
@@ -114,6 +115,44 @@ impl Options {
             x,
             y,
             size: SIZE,
+        }
+    }
+}
+
+/// Values tried along the parameter of a formula, and of each argument in a map: the reference precision takes a few
+/// microseconds for each.
+const CURVE_COUNT: usize = 240;
+/// See [`CURVE_COUNT`].
+const MAP_COUNT: usize = 64;
+
+impl Options {
+    /// The formula compared.
+    #[must_use]
+    pub fn formula(&self) -> &'static Comparison {
+        formula_comparison::find(&self.trial)
+    }
+
+    /// Whether it is shown over both of its arguments: it has two, and that is wanted.
+    #[must_use]
+    pub fn is_formula_mapped(&self) -> bool {
+        self.trial_as == Trial::Maps && self.formula().second.is_some()
+    }
+
+    /// The errors of the formula along its parameter.
+    #[must_use]
+    pub fn curve_request(&self) -> CurveRequest {
+        CurveRequest {
+            of: self.formula(),
+            count: CURVE_COUNT,
+        }
+    }
+
+    /// The errors of the formula over both of its arguments.
+    #[must_use]
+    pub fn map_request(&self) -> MapRequest {
+        MapRequest {
+            of: self.formula(),
+            size: MAP_COUNT,
         }
     }
 }

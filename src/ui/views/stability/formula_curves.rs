@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::super::context::ViewContext;
-use super::formulas::{curve, outcome_in_words};
+use super::formulas::{Curve, outcome_in_words};
 use crate::theme::{self, Dash};
 use crate::widgets::chart::{Axis, Chart, Series};
 use crate::widgets::draw;
@@ -17,10 +17,9 @@ const ERRORS: [f64; 2] = [1e-18, 10.0];
 pub(super) fn show(
     ui: &mut Ui,
     cx: &mut ViewContext<'_, Options>,
-    comparison: &'static Comparison,
+    (comparison, outcomes): (&'static Comparison, &Curve),
     height: f32,
 ) {
-    let outcomes = curve(cx, comparison);
     let line = |of: &dyn Fn(&Outcome) -> f64| -> Vec<[f64; 2]> {
         let place = |(x, outcome): &(f64, Outcome)| [*x, of(outcome).clamp(ERRORS[0], ERRORS[1])];
         outcomes.iter().map(place).collect()
@@ -66,14 +65,20 @@ pub(super) fn show(
     );
     chart.has_names = true;
     let shown = chart.show(ui, Some(height), cx.palette);
+    cx.lacks(shown.lacking());
     if let Some(pointer) = shown.response.hover_pos() {
         let [x, _] = chart.value_at(&shown, pointer);
-        let [from, to] = comparison.range;
-        let text = read_out(comparison, x.clamp(from, to));
-        draw::pointer_note(ui, pointer, shown.frame(), &text, cx.palette);
+        if let Some((x, outcome)) = nearest(outcomes, x) {
+            let text = outcome_in_words(comparison, *x, outcome);
+            draw::pointer_note(ui, pointer, shown.frame(), &text, cx.palette);
+        }
     }
 }
 
-fn read_out(comparison: &Comparison, x: f64) -> String {
-    outcome_in_words(comparison, x, &comparison.at(x))
+/// The value nearest to `x` that was tried, by their ratio: they run evenly over decades.
+fn nearest(outcomes: &Curve, x: f64) -> Option<&(f64, Outcome)> {
+    let distance = |tried: f64| (tried / x).ln().abs();
+    outcomes
+        .iter()
+        .min_by(|(a, _), (b, _)| distance(*a).total_cmp(&distance(*b)))
 }

@@ -11,11 +11,7 @@ use crate::widgets::draw;
 use crate::widgets::pictures;
 use bxdf_lab::formula_comparison::{Argument, Comparison, Map, Outcome, along};
 use bxdf_study::format;
-use bxdf_study::memo::Memo;
 use bxdf_study::views::stability::{ErrorUnit, Options};
-
-/// Values of each argument: the reference precision takes a few microseconds for each pair.
-const SIZE: usize = 64;
 
 /// The forms, from above.
 const FORMS: [&str; 2] = ["textbook", "core"];
@@ -27,8 +23,8 @@ pub(super) fn show(
     comparison: &'static Comparison,
     height: f32,
 ) {
-    let kept: &mut Memo<&str, Map> = cx.state.own(cx.view);
-    let map = kept.get(comparison.id, || comparison.map(SIZE).unwrap_or_default());
+    let map = cx.answers.of_nothing(cx.options.map_request());
+    let map = map.unwrap_or_default();
     let Some(second) = &comparison.second else {
         return;
     };
@@ -49,6 +45,7 @@ pub(super) fn show(
         .into_iter()
         .flat_map(|form| [0, 1].map(|p| (form, p)));
     let rooms = plate::rooms(ui, room, FORMS.len() * PRECISIONS.len());
+    cx.lacks(plate::lacking(&rooms));
     let mut note = None;
     for ((form, precision), rect) in kinds.zip(rooms.iter().copied()) {
         let of =
@@ -73,7 +70,7 @@ pub(super) fn show(
         note = pointed.map(|pointer| (pointer, rect)).or(note);
     }
     if let Some((pointer, rect)) = note {
-        let text = read_out(comparison, second, (pointer, rect));
+        let text = read_out((comparison, second), &map, (pointer, rect));
         draw::pointer_note(ui, pointer, ui.clip_rect(), &text, cx.palette);
     }
     ui.advance_cursor_after_rect(whole);
@@ -91,16 +88,23 @@ fn value(outcome: &Outcome, (form, precision): (usize, usize), unit: ErrorUnit) 
 }
 
 /// What both forms are off where the pointer is.
-fn read_out(comparison: &Comparison, second: &Argument, (pointer, rect): (Pos2, Rect)) -> String {
+fn read_out(
+    (comparison, second): (&Comparison, &Argument),
+    map: &Map,
+    (pointer, rect): (Pos2, Rect),
+) -> String {
     let [right, down] = pictures::share_of(rect, pointer);
     let [x, y] = [
         along(comparison.range, right),
         along(second.range, 1.0 - down),
     ];
+    let pixel = [right * map.width as f64, down * map.height as f64];
+    let outcome = map.at(pixel[0] as usize, pixel[1] as usize);
+    let outcome = outcome.map(|outcome| outcome_in_words(comparison, x, outcome));
     format!(
         "{}: {}\n{}",
         second.axis,
         format::value(y),
-        outcome_in_words(comparison, x, &comparison.at_both([x, y]))
+        outcome.unwrap_or_default()
     )
 }

@@ -1,18 +1,10 @@
 //! Formulas compared in words: which, how far each form is off, and why.
 
-use std::sync::Arc;
-
 use egui::{RichText, Ui};
 
-use super::super::context::ViewContext;
 use super::plate;
-use bxdf_lab::formula_comparison::{COMPARISONS, Comparison, Outcome};
+use bxdf_lab::formula_comparison::{Comparison, Outcome};
 use bxdf_study::format;
-use bxdf_study::memo::Memo;
-use bxdf_study::views::stability::{Options, Trial};
-
-/// Values tried along the parameter.
-const COUNT: usize = 240;
 
 /// Room below the chart for the words, in points.
 pub(super) const WORDS: f32 = 84.0;
@@ -22,29 +14,6 @@ pub(super) const BRIEF_WORDS: f32 = 36.0;
 
 /// What is known along the parameter of a comparison.
 pub(super) type Curve = Vec<(f64, Outcome)>;
-
-/// The comparison of this id, the first where there is none.
-pub(super) fn chosen(id: &str) -> &'static Comparison {
-    let [first, ..] = &COMPARISONS;
-    COMPARISONS
-        .iter()
-        .find(|comparison| comparison.id == id)
-        .unwrap_or(first)
-}
-
-/// Whether maps are shown of the formula chosen: it has two arguments, and they are wanted.
-pub(super) fn are_mapped(options: &Options) -> bool {
-    options.trial_as == Trial::Maps && chosen(&options.trial).second.is_some()
-}
-
-/// What is known along the parameter of the formula, kept until another one is chosen.
-pub(super) fn curve(
-    cx: &mut ViewContext<'_, Options>,
-    comparison: &'static Comparison,
-) -> Arc<Curve> {
-    let kept: &mut Memo<&str, Curve> = cx.state.own(cx.view);
-    kept.get(comparison.id, || comparison.curve(COUNT).collect())
-}
 
 /// How far both forms are off at their worst, and where.
 pub(super) fn verdict(comparison: &Comparison, curve: &Curve) -> String {

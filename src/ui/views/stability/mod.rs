@@ -41,8 +41,11 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
 
 /// The formula chosen: how far its forms are off, in a sentence and in pictures, and why.
 fn formula(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
-    let comparison = formulas::chosen(&cx.options.trial);
-    let curve = formulas::curve(cx, comparison);
+    let comparison = cx.options.formula();
+    let Some(curve) = cx.answers.of_nothing(cx.options.curve_request()) else {
+        draw::centred_note(ui, "Trying both forms of the formula …");
+        return;
+    };
     ui.label(formulas::verdict(comparison, &curve));
     let room = ui.available_height();
     let is_brief = room < theme::LIST_BELOW;
@@ -52,10 +55,10 @@ fn formula(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         } else {
             formulas::WORDS
         };
-    if formulas::are_mapped(cx.options) {
+    if cx.options.is_formula_mapped() {
         formula_maps::show(ui, cx, comparison, height);
     } else {
-        formula_curves::show(ui, cx, comparison, height);
+        formula_curves::show(ui, cx, (comparison, &curve), height);
     }
     formulas::words(ui, comparison, is_brief);
 }
@@ -103,7 +106,7 @@ fn controls(ui: &mut Ui, session: &Session, options: &mut Options) {
         match options.plot {
             Plot::Formulas => {
                 formula_choice(ui, options);
-                if !formulas::are_mapped(options) {
+                if !options.is_formula_mapped() {
                     return;
                 }
             }
@@ -155,7 +158,7 @@ fn axis_choice(
 }
 
 fn formula_choice(ui: &mut Ui, options: &mut Options) {
-    let shown = formulas::chosen(&options.trial);
+    let shown = options.formula();
     let mut id = shown.id;
     let hint = "A quantity as textbooks write it, and as the core computes it";
     choice::named_combo(ui, ("Formula", "Formula", hint), shown.title, |ui| {
