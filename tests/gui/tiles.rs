@@ -4,8 +4,9 @@ use brdf_explorer::study::session::{Place, Session};
 use brdf_explorer::ui::app::App;
 use egui::{Role, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 
+use super::figures::texts_of;
 use super::{window, window_of};
 
 fn layout(harness: &Harness<'_, App>) -> Vec<&'static str> {
@@ -152,4 +153,51 @@ fn the_inspector_reads_every_material_at_the_one_cursor() {
         assert!(harness.query_by_label("θ 50°  φ 0°").is_some(), "{away:?}");
     }
     assert_eq!(harness.query_all_by_label_contains(value).count(), before);
+}
+
+/// Below an opaque surface there is nothing to be read: what is read there is the pair of light and viewer.
+#[test]
+fn the_inspector_follows_no_pointer_below_what_lets_no_light_through() {
+    for (material, is_read) in [("rough_conductor", false), ("frosted_glass", true)] {
+        let mut harness = window_of(&[material]);
+        harness.get_by_label("Compare").click();
+        harness.run();
+        let dome = harness
+            .get_by_role_and_label(Role::Canvas, "3D lobe")
+            .rect();
+        let (mut pointed, mut read) = (0, 0);
+        for step in 0..12 {
+            harness.hover_at(dome.center() + vec2(0.0, 0.04 * step as f32 * dome.height()));
+            harness.run();
+            // A note beside the pointer, and in the inspector the viewer.
+            let is_below = |text: &&str| text.starts_with("θ 1") && text.contains("  φ ");
+            let notes = texts_of(&harness).into_iter().filter(is_below);
+            let notes: Vec<&str> = notes.filter(|text| text.contains("  f ")).collect();
+            pointed += notes.len();
+            let labels = harness.query_all_by_label_contains("θ 1");
+            let angles = labels.filter(|node| {
+                let label = node.accesskit_node().label().unwrap_or_default();
+                label.starts_with("θ 1") && label.contains("°  φ ")
+            });
+            read += angles.count();
+        }
+        assert!(pointed > 0, "{material}: nothing below is pointed at");
+        assert_eq!(read > 0, is_read, "{material}");
+    }
+}
+
+#[test]
+fn the_inspector_has_columns_of_the_deltas_that_there_are() {
+    for (material, sides) in [
+        ("mirror", [true, false]),
+        ("glass", [true, true]),
+        ("gold", [false; 2]),
+    ] {
+        let mut harness = window_of(&[material]);
+        harness.get_by_label("Compare").click();
+        harness.run();
+        let found = ["Delta, reflected", "Delta, transmitted"]
+            .map(|name| harness.query_by_label(name).is_some());
+        assert_eq!(found, sides, "{material}");
+    }
 }

@@ -217,10 +217,13 @@ fn delta_numbers(delta: Option<DeltaReading>) -> [Option<f64>; 5] {
     })
 }
 
+/// What stands in a cell where there is nothing.
+const NOTHING: &str = "-";
+
 /// A delta in the table.
 fn delta_text(delta: Option<DeltaReading>) -> String {
     let Some(DeltaReading { arrow, is_here }) = delta else {
-        return "-".to_owned();
+        return NOTHING.to_owned();
     };
     let share = widgets_deltas::share(Channel::Luminance.of(arrow.flux));
     let place = spherical(Spherical::of(arrow.direction));
@@ -251,25 +254,31 @@ struct Column {
 }
 
 impl Report {
-    /// The columns of the table; those of deltas where a material has one.
+    /// The columns of the table; each of those of deltas where a material has one.
     fn columns(&self) -> Vec<Column> {
-        let has_deltas = self.rows.iter().any(|row| row.deltas != [None, None]);
-        let deltas = if has_deltas { &DELTAS[..] } else { &[] };
         let row = |row: &Row| -> Vec<String> {
-            let deltas = row.deltas.into_iter().filter(|_| has_deltas);
             let numbers = numbers(&row.reading)
-                .map(|number| number.map_or_else(|| "-".to_owned(), format::value));
-            deltas.map(delta_text).chain(numbers).collect()
+                .map(|number| number.map_or_else(|| NOTHING.to_owned(), format::value));
+            row.deltas
+                .map(delta_text)
+                .into_iter()
+                .chain(numbers)
+                .collect()
         };
         let rows: Vec<Vec<String>> = self.rows.iter().map(row).collect();
         let cell = |row: &Vec<String>, index: usize| row.get(index).cloned().unwrap_or_default();
-        let named = deltas.iter().chain(&COLUMNS).enumerate();
-        let column = named.map(|(index, (name, meaning))| Column {
+        let named = DELTAS.iter().chain(&COLUMNS).enumerate();
+        let column = |(index, (name, meaning)): (usize, &Named)| Column {
             name,
             meaning,
             cells: rows.iter().map(|row| cell(row, index)).collect(),
-        });
-        column.collect()
+        };
+        let is_empty = |column: &Column| column.cells.iter().all(|cell| cell == NOTHING);
+        let (deltas, others): (Vec<_>, Vec<_>) =
+            named.partition(|(index, _)| *index < DELTAS.len());
+        let deltas = deltas.into_iter().map(column);
+        let deltas = deltas.filter(|column| !is_empty(column));
+        deltas.chain(others.into_iter().map(column)).collect()
     }
 }
 

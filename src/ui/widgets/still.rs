@@ -1,5 +1,6 @@
 //! What nobody can act in: pictures are drawn by the views themselves, whose controls are not there then.
 
+use egui::style::ScrollStyle;
 use egui::{Context, Id, Rect, ScrollArea, Sense, Ui};
 
 /// Leaves only what is to be seen of all that is drawn into `ui` from now on: nothing takes the pointer or the focus, and no
@@ -24,12 +25,18 @@ pub fn sense(ui: &Ui, sense: Sense) -> Sense {
     if is(ui) { Sense::hover() } else { sense }
 }
 
-/// What `add` draws, in `area` where it can be scrolled.
+/// What `add` draws, in `area` where it can be scrolled: that there is more is seen by its bars before a pointer is near.
 pub fn scroll(ui: &mut Ui, area: ScrollArea, add: impl FnOnce(&mut Ui)) {
     if is(ui) {
         add(ui);
     } else {
-        area.show(ui, add);
+        let bars = &mut ui.spacing_mut().scroll;
+        let before = std::mem::replace(bars, ScrollStyle::thin());
+        area.show(ui, |ui| {
+            ui.spacing_mut().scroll = before;
+            add(ui);
+        });
+        ui.spacing_mut().scroll = before;
     }
 }
 

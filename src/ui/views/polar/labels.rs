@@ -45,14 +45,20 @@ impl Canvas<'_> {
             let font = draw::small_font(self.ui);
             let galley = painter.layout_no_wrap(text, font, palette.faint_ink);
             let rect = anchor.anchor_size(position, galley.size());
-            if !taken.iter().any(|other| other.intersects(rect)) {
+            let mut others = taken.iter().chain(&written);
+            if !others.any(|other| other.intersects(rect)) {
                 painter.galley(rect.min, galley, palette.faint_ink);
                 written.push(rect);
             }
         };
         let limit: i32 = if has_lower { 180 } else { 90 };
-        let radius = self.radius();
-        let is_small = self.transform.frame().width() < SMALL_WIDTH || radius < SMALL_RADIUS;
+        // Larger labels leave as little room as a smaller plot does.
+        let scale = draw::label_scale(self.ui);
+        let (radius, width) = (
+            self.radius() / scale,
+            self.transform.frame().width() / scale,
+        );
+        let is_small = width < SMALL_WIDTH || radius < SMALL_RADIUS;
         let step = if radius < LEAST_RADIUS {
             6 * RAY_STEP_DEG
         } else if is_small {
@@ -121,6 +127,7 @@ impl Canvas<'_> {
     ) -> Vec<Rect> {
         let painter = self.painter();
         let mut covered = Vec::new();
+        let handles = self.handles(directions, section);
         let name_radius = self.outside(NAME_RADIUS.max(1.0 + f64::from(NAME_GAP / self.radius())));
         let mut taken: Vec<f64> = Vec::new();
         for way in named_directions(session, directions, section, palette) {
@@ -143,16 +150,45 @@ impl Canvas<'_> {
                 _ if angle.cos() < 0.0 => Align2::CENTER_TOP,
                 _ => Align2::CENTER_BOTTOM,
             };
-            covered.push(draw::haloed_text(
-                &painter,
-                position,
-                anchor,
-                name,
-                draw::body_font(self.ui),
-                color,
-                palette,
-            ));
+            let font = draw::body_font(self.ui);
+            let galley = painter.layout_no_wrap(name.to_owned(), font.clone(), color);
+            let wanted = anchor.anchor_size(position, galley.size());
+            let place = beside_handles(wanted, painter.clip_rect(), &handles);
+            let (at, anchor) = (place.center(), Align2::CENTER_CENTER);
+            let text = draw::haloed_text(&painter, at, anchor, name, font, color, palette);
+            covered.push(text);
         }
         covered
+    }
+}
+
+/// A name inside `room` where it covers none of `handles`: in its place, else above or below it.
+fn beside_handles(name: Rect, room: Rect, handles: &[Rect]) -> Rect {
+    let at = |rows: f32| draw::inside(name.translate(vec2(0.0, rows * name.height())), room);
+    let is_clear = |rect: &Rect| !handles.iter().any(|handle| handle.intersects(*rect));
+    let mut places = [0.0, -1.0, 1.0, -1.5, 1.5, -2.0, 2.0].map(at).into_iter();
+    places.find(is_clear).unwrap_or_else(|| at(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::pos2;
+
+    /// Enlarged names at the horizon are wider than the margin of the plot.
+    #[test]
+    fn a_name_at_the_edge_stands_above_its_handle() {
+        let room = Rect::from_min_size(Pos2::ZERO, vec2(300.0, 200.0));
+        let handle = Rect::from_center_size(pos2(270.0, 150.0), vec2(16.0, 16.0));
+        for height in [15.0, 30.0] {
+            let wanted = Align2::LEFT_CENTER.anchor_size(pos2(284.0, 150.0), vec2(80.0, height));
+            let place = beside_handles(wanted, room, &[handle]);
+            assert!(
+                room.contains_rect(place) && !place.intersects(handle),
+                "{place}"
+            );
+        }
+        let free = Rect::from_min_size(pos2(10.0, 10.0), vec2(40.0, 15.0));
+        assert_eq!(beside_handles(free, room, &[handle]), free);
     }
 }

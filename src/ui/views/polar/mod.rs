@@ -158,9 +158,10 @@ fn show_plot(
         canvas.draw_arrows(one, &mut taken, &palette);
     }
     taken.extend(canvas.handles(&directions, section));
+    // A name is worth more than one of many numbers.
+    taken.extend(canvas.name_directions(cx.session, &directions, section, &palette));
     let numbers = canvas.label_grid(&rings, &taken, &palette, has_lower);
     taken.extend(numbers);
-    taken.extend(canvas.name_directions(cx.session, &directions, section, &palette));
     canvas.name_materials(cx, plotted, taken);
     canvas.name_curves(cx.session, &palette);
     if let Some(note) = note(cx, plotted) {
