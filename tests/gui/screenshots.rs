@@ -102,7 +102,7 @@ const ABOVE: [(&str, Modifiers, Key); 2] = [
 ];
 
 fn compare(results: &mut SnapshotResults, name: &str, picture: Picture) {
-    let mut shown = picture.harness().unwrap();
+    let mut shown = picture.drawn().unwrap();
     measure_tradeoff(&mut shown);
     compare_shown(results, name, &mut shown);
 }

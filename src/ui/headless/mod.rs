@@ -41,11 +41,12 @@ impl Picture {
         rendered(&mut self.drawn()?)
     }
 
-    /// The running application behind the picture, settled, which can draw it.
+    /// The running application behind the picture, settled, which can draw it: as pictures are, without what is there for a
+    /// hand alone.
     ///
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter.
-    pub(crate) fn drawn(self) -> Result<Harness<'static, App>> {
+    pub fn drawn(self) -> Result<Harness<'static, App>> {
         let figure = self.figure.clone();
         let mut harness = self.settled(|app| app.for_picture(figure.as_ref()))?;
         page::fit(&mut harness, figure.as_ref());

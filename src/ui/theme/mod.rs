@@ -280,6 +280,28 @@ pub fn apply(ctx: &egui::Context) {
 mod tests {
     use super::*;
 
+    /// Numbers that change in place do not make what is beside them jump.
+    #[test]
+    fn all_digits_are_as_wide_as_one_another() {
+        let context = egui::Context::default();
+        let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+            apply(ui.ctx());
+        });
+        output.textures_delta.clear();
+        let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+            for family in [FontFamily::Proportional, FontFamily::Monospace] {
+                for size in [SMALL_TEXT, 13.0, 15.0] {
+                    let font = FontId::new(size, family.clone());
+                    let width = |digit: char| ui.fonts_mut(|fonts| fonts.glyph_width(&font, digit));
+                    let widths = ('0'..='9').map(width);
+                    let zero = width('0');
+                    assert!(zero > 0.0 && widths.into_iter().all(|width| width == zero));
+                }
+            }
+        });
+        output.textures_delta.clear();
+    }
+
     #[test]
     fn twenty_four_materials_are_told_apart() {
         for palette in [Theme::Dark, Theme::Light].map(Palette::of) {

@@ -110,13 +110,45 @@ impl<'a> Number<'a> {
         Ok(stored)
     }
 
+    /// The change of one step from `value`.
+    pub(super) fn step_at(&self, value: f64) -> f64 {
+        let [low, high] = self.spec.soft;
+        let step = if self.is_logarithmic {
+            // From 0 no ratio leads away.
+            (LOGARITHMIC_SPEED * value.abs()).max(1e-6 * (high - low))
+        } else if self.step > 0.0 {
+            self.step
+        } else {
+            self.speed
+        };
+        if self.spec.is_whole {
+            step.max(1.0)
+        } else {
+            step
+        }
+    }
+
     /// The value as it stands in the field while nobody types: five digits, four decimals.
     pub(super) fn shown(&self, value: f64) -> String {
-        let short = if self.spec.is_whole {
-            plain(value)
+        if self.spec.is_whole {
+            self.with_unit(&plain(value))
         } else {
-            shortened(value)
-        };
+            self.with_unit(&shortened(value))
+        }
+    }
+
+    /// The value as it stands there while it is dragged: three digits, more could not be read; but no fewer than steps change.
+    pub(super) fn shown_moving(&self, value: f64) -> String {
+        let short = format::typed(value);
+        let is_near = |x: f64| (x - value).abs() < 0.5 * self.step_at(value);
+        if short.parse().is_ok_and(is_near) {
+            self.with_unit(&short)
+        } else {
+            self.shown(value)
+        }
+    }
+
+    fn with_unit(&self, short: &str) -> String {
         let suffix = match self.spec.unit {
             "degrees" => "°".to_owned(),
             "" => String::new(),
@@ -213,6 +245,22 @@ mod tests {
         ] {
             assert_eq!(shortened(value), text);
         }
+    }
+
+    #[test]
+    fn numbers_that_move_have_three_digits_unless_steps_are_finer() {
+        let number = |high| Number::new("x", NumberSpec::new("x", [0.0, high])).speed(1e-3 * high);
+        for (high, value, text) in [
+            (1.0, 0.123_456, "0.123"),
+            (1.0, 0.5, "0.5"),
+            (100.0, 45.678, "45.7"),
+            (1000.0, 999.04, "999"),
+            (10.0, 9.9949, "9.99"),
+        ] {
+            assert_eq!(number(high).shown_moving(value), text);
+        }
+        let fine = number(10.0);
+        assert_eq!(fine.speed(1e-4).shown_moving(3.1416), "3.1416");
     }
 
     #[test]

@@ -8,8 +8,9 @@ use egui::{
     TextEdit, Ui, UiBuilder, WidgetInfo, emath, vec2,
 };
 
-use super::described::{LOGARITHMIC_SPEED, Number, Shown};
+use super::described::{Number, Shown};
 use super::late;
+use super::moving::Moving;
 use crate::theme;
 use crate::widgets::work::{self, Work};
 use bxdf_study::number::plain;
@@ -31,6 +32,7 @@ struct State {
     pass: u64,
     /// Where a drag stands, before it is rounded.
     dragged: Option<f64>,
+    moving: Moving,
 }
 
 /// One frame of the field.
@@ -43,6 +45,8 @@ pub(super) fn show(number: &Number<'_>, ui: &mut Ui, value: &mut f64) -> Shown {
         state.text = None;
         state.refusal = None;
     }
+    let is_dragging = ui.ctx().dragged_id().is_some();
+    state.moving.note(*value, is_dragging);
     let layer = ui.layer_id();
     let has_focus = ui.is_enabled()
         && ui.memory_mut(|memory| {
@@ -97,6 +101,16 @@ impl Field<'_> {
         true
     }
 
+    /// The value as it stands there while nobody types.
+    fn text(&self) -> String {
+        let shown = if self.state.moving.is_on_way() {
+            self.number.shown_moving(*self.value)
+        } else {
+            self.number.shown(*self.value)
+        };
+        format!("{}{shown}", self.number.prefix)
+    }
+
     fn set(&mut self, ctx: &Context, x: f64) {
         if x.to_bits() != self.value.to_bits() {
             *self.value = x;
@@ -110,27 +124,9 @@ impl Field<'_> {
         self.state.refusal = None;
     }
 
-    /// The change of one step.
-    fn step(&self) -> f64 {
-        let [low, high] = self.number.spec.soft;
-        let step = if self.number.is_logarithmic {
-            // From 0 no ratio leads away.
-            (LOGARITHMIC_SPEED * self.value.abs()).max(1e-6 * (high - low))
-        } else if self.number.step > 0.0 {
-            self.number.step
-        } else {
-            self.number.speed
-        };
-        if self.number.spec.is_whole {
-            step.max(1.0)
-        } else {
-            step
-        }
-    }
-
     /// Moves the value by so many steps, to a round number.
     fn move_by(&mut self, steps: f64) {
-        let step = self.step();
+        let step = self.number.step_at(*self.value);
         let moved = emath::round_to_decimals(*self.value + steps * step, decimals_of(step));
         self.number.spec.put(self.value, moved);
         self.forget();
@@ -215,7 +211,7 @@ impl Field<'_> {
     }
 
     fn size(&self, ui: &Ui) -> egui::Vec2 {
-        let text = format!("{}{}", self.number.prefix, self.number.shown(*self.value));
+        let text = self.text();
         let font = ui.style().drag_value_text_style.resolve(ui.style());
         let galley = ui
             .painter()
@@ -316,7 +312,7 @@ impl Field<'_> {
             return;
         }
         let step = if self.number.is_logarithmic {
-            self.step()
+            self.number.step_at(*self.value)
         } else {
             self.number.speed
         };
@@ -350,7 +346,7 @@ impl Field<'_> {
         let (text, color) = if let Some(text) = refused {
             (text.clone(), ui.visuals().error_fg_color)
         } else {
-            let text = format!("{}{}", self.number.prefix, self.number.shown(*self.value));
+            let text = self.text();
             (text, visuals.text_color())
         };
         let inner = painter.with_clip_rect(rect.shrink(2.0).intersect(ui.clip_rect()));
@@ -365,9 +361,8 @@ impl Field<'_> {
         let value = *self.value;
         response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), value));
         let [low, high] = self.number.spec.range;
-        let shown = || format!("{}{}", self.number.prefix, self.number.shown(value));
-        let text = self.state.text.clone().unwrap_or_else(shown);
-        let step = self.step();
+        let text = self.state.text.clone().unwrap_or_else(|| self.text());
+        let step = self.number.step_at(*self.value);
         ui.ctx().accesskit_node_builder(self.id, |node| {
             node.set_label(self.number.name.to_owned());
             node.set_value(text);

@@ -8,6 +8,7 @@ use egui::{Response, Slider, SliderClamping, Ui};
 mod described;
 mod field;
 mod late;
+mod moving;
 mod parse;
 
 pub use described::{Check, Number, Shown};
