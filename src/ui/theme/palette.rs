@@ -122,7 +122,7 @@ impl Palette {
     pub fn of_figure(&self) -> Self {
         Self {
             faint_ink: self.faint_ink.lerp_to_gamma(self.ink, 0.5),
-            ..self.clone()
+            ..*self
         }
     }
 

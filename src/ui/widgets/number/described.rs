@@ -260,7 +260,7 @@ mod tests {
             assert_eq!(number(high).shown_moving(value), text);
         }
         let fine = number(10.0);
-        assert_eq!(fine.speed(1e-4).shown_moving(3.1416), "3.1416");
+        assert_eq!(fine.speed(1e-4).shown_moving(4.1234), "4.1234");
     }
 
     #[test]
