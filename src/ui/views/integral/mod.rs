@@ -38,9 +38,6 @@ mod words;
 const BESIDE: f32 = 400.0;
 const PANEL: [f32; 2] = [230.0, 340.0];
 
-/// The part of a small picture that the numbers below it take at most.
-const TEXT_SHARE: f32 = 0.45;
-
 /// A sum with what it comes near to.
 struct Known {
     entry: EntryId,
@@ -347,10 +344,8 @@ impl Shown<'_> {
     /// The picture with a slim bar, and the numbers below it.
     fn small(&self, ui: &mut Ui, cx: &mut ViewContext<'_, Options>, rect: Rect) {
         let font = draw::small_font(ui);
-        let (line, most) = (small::line_height(ui), small::most_lines(rect.width()));
         let is_narrow = small::is_narrow(rect.width());
-        // The picture comes first.
-        let lines = ((TEXT_SHARE * rect.height() / line) as usize).min(most);
+        let (line, lines) = (small::line_height(ui), small::lines(ui, rect));
         let picture = rect.with_max_y(rect.bottom() - lines as f32 * line);
         let bar = picture
             .with_min_x(picture.right() - small::BAR)

@@ -12,6 +12,9 @@ pub(super) const BAR: f32 = 12.0;
 /// Between it and the picture, in points.
 pub(super) const BAR_GAP: f32 = 8.0;
 
+/// The part of a small sum that the numbers below it take at most.
+const TEXT_SHARE: f32 = 0.45;
+
 /// Below narrower pictures the numbers stand in short lines, by their width in points.
 const NARROW: f32 = 270.0;
 
@@ -28,7 +31,7 @@ pub(super) fn cells(ui: &Ui, room: Rect, n: usize, halves: usize) -> Vec<Cell> {
     });
     let size = |cells: &Vec<Cell>| {
         let picture = cells.first().map_or(Rect::ZERO, |cell| cell.picture);
-        scene(picture.width()).min(picture.height() - numbers(picture.width()))
+        scene(picture.width()).min(picture.height() - lines(ui, picture) as f32 * line)
     };
     let largest = grids.max_by(|a, b| size(a).total_cmp(&size(b)));
     largest.unwrap_or_default()
@@ -39,8 +42,14 @@ pub(super) fn line_height(ui: &Ui) -> f32 {
     draw::small_font(ui).size + 4.0
 }
 
+/// How many lines of numbers there are below a small sum in `place`: the picture comes first.
+pub(super) fn lines(ui: &Ui, place: Rect) -> usize {
+    let room = TEXT_SHARE * place.height() / line_height(ui);
+    (room as usize).min(most_lines(place.width()))
+}
+
 /// The most lines of numbers below a small sum of this width.
-pub(super) fn most_lines(width: f32) -> usize {
+fn most_lines(width: f32) -> usize {
     if is_narrow(width) { 3 } else { 2 }
 }
 
