@@ -47,7 +47,7 @@ impl Session {
     ///
     /// # Errors
     /// One sentence that names the number, its value and what is allowed.
-    pub(super) fn check_numbers(&mut self) -> Result<(), String> {
+    pub(crate) fn check_numbers(&mut self) -> Result<(), String> {
         checked(self.numbers())?;
         self.views.check_numbers()
     }
