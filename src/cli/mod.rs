@@ -10,6 +10,7 @@ mod check;
 mod eval;
 mod export;
 pub mod input;
+mod lessons;
 mod models;
 mod output;
 mod render;
@@ -59,6 +60,8 @@ struct Arguments {
 enum Verb {
     /// List the models and their parameters
     Models(models::Arguments),
+    /// List the lessons, and check that they hold what they say
+    Lessons(lessons::Arguments),
     /// Evaluate f and pdf for rows of directions
     Eval(eval::Arguments),
     /// Draw directions of incidence
@@ -117,6 +120,11 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
     match verb {
         None => window()?,
         Some(Verb::Models(arguments)) => models::run(&arguments)?,
+        Some(Verb::Lessons(arguments)) => {
+            if !lessons::run(&arguments)? {
+                return Ok(ExitCode::from(CHECK_FAILED));
+            }
+        }
         Some(Verb::Eval(arguments)) => eval::run(&arguments)?,
         Some(Verb::Sample(arguments)) => sample::run(&arguments)?,
         Some(Verb::Albedo(arguments)) => albedo::run(&arguments)?,

@@ -7,6 +7,7 @@ pub mod analysis;
 pub mod contract;
 pub mod control;
 pub mod formula_comparison;
+pub mod quantities;
 pub mod rounding;
 pub mod specimen;
 pub mod spectral;

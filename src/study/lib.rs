@@ -12,6 +12,7 @@ pub mod files;
 pub mod format;
 pub mod history;
 pub mod jobs;
+pub mod lessons;
 pub mod memo;
 pub mod number;
 pub mod parallel;

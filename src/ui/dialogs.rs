@@ -30,14 +30,17 @@ fn with_readers(dialog: AsyncFileDialog) -> AsyncFileDialog {
         own.flat_map(|own| [(*own).to_owned(), own.to_uppercase()])
             .collect::<Vec<_>>()
     };
+    let lessons = ["md".to_owned(), "MD".to_owned()];
     let all: Vec<String> = readers
         .iter()
         .flat_map(|reader| endings(&**reader))
+        .chain(lessons.clone())
         .collect();
     let mut dialog = dialog.add_filter("All that can be opened", &all);
     for reader in &readers {
         dialog = dialog.add_filter(reader.title(), &endings(&**reader));
     }
+    dialog = dialog.add_filter("Lesson", &lessons);
     dialog.add_filter("Any file", &["*"])
 }
 

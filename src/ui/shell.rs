@@ -13,7 +13,7 @@ use super::views::{self, ViewContext, heading};
 use super::widgets::bottom::{Bar, presented};
 use super::widgets::search::Outcome;
 use super::widgets::shares::Energy;
-use super::widgets::{layouts, options, still};
+use super::widgets::{layouts, options, spotlight, still};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{SHARES, ViewId};
 use bxdf_study::views::Options;
@@ -33,6 +33,7 @@ impl App {
                 views::show(ui, cx, options);
             });
         });
+        self.mark_view(ui, view, palette);
     }
 
     /// Hands out what a view draws with, and its options. `mark`: the direction marked in it.
@@ -128,6 +129,14 @@ impl App {
             ui.separator();
             let room = self.room_of_views();
             layouts::arrangements(ui, &mut self.session.views, room, has_words);
+            if layouts::learn(
+                ui,
+                self.is_learning(),
+                has_words,
+                &commands::LEARN.hint(ui.ctx()),
+            ) {
+                wished = Some(&commands::LEARN);
+            }
             if commands::FOUR_KINDS.button(ui, self) {
                 wished = Some(&commands::FOUR_KINDS);
             }
@@ -228,7 +237,7 @@ impl App {
                 Outcome::Chosen(hit) => hit.run(self, ctx),
             }
         }
-        if !self.is_presenting() {
+        if !self.is_presenting() && !self.is_learning() {
             self.show_first_steps(ctx, views);
         }
         self.said.show(ctx, views);
@@ -342,6 +351,7 @@ impl eframe::App for App {
         if !self.is_presenting() {
             self.show_side(ui, &palette);
         }
+        self.show_lessons(ui, &palette);
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
         let views = CentralPanel::no_frame()
             .frame(frame)
@@ -349,6 +359,7 @@ impl eframe::App for App {
         self.room_of_views = views.response.rect;
         self.show_picker(ui.ctx(), views.response.rect);
         self.show_windows(ui.ctx(), views.response.rect);
+        spotlight::show(ui.ctx(), &palette);
         self.session.keep_allowed(self.history.present());
         self.refuse_what_does_not_fit();
         self.record(ui.ctx());

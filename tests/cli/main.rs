@@ -13,6 +13,7 @@ mod eval;
 mod files;
 #[cfg(target_os = "linux")]
 mod interrupts;
+mod lessons;
 #[cfg(feature = "gui")]
 mod pictures;
 mod sample;

@@ -252,6 +252,11 @@ impl Views {
         }
     }
 
+    /// Lets them stand as they fit into a window with this room for views.
+    pub fn fit(&mut self, room: [f32; 2]) {
+        self.layout = self.layout.clone().turned_and_fitted(room);
+    }
+
     /// Whether they stand as in a ready layout, or as that fits into this room.
     #[must_use]
     pub fn is_ready(&self, ready: &ReadyLayout, room: [f32; 2]) -> bool {

@@ -47,7 +47,7 @@ impl Session {
     ///
     /// # Errors
     /// The number that is refused.
-    pub(super) fn check_numbers(&mut self) -> Result<(), Refused> {
+    pub(crate) fn check_numbers(&mut self) -> Result<(), Refused> {
         checked(self.numbers())?;
         self.views.check_numbers()
     }

@@ -21,6 +21,7 @@ mod labels;
 mod own;
 mod partial;
 mod place;
+mod progress;
 mod window;
 
 pub use dialogs::{Answer, Dialogs, FileDialog};
@@ -28,6 +29,7 @@ pub use files::{Disk, Files, Found};
 pub use labels::LabelSize;
 pub use own::{Keeping, News, Restored};
 pub use partial::{Partial, abandon_partial};
+pub use progress::Progress;
 pub use window::WindowPlace;
 
 /// The files opened last, the theme, how the window stands and how figures are made, in the folder of the program's data.
@@ -68,6 +70,8 @@ struct Preferences {
     window: Option<WindowPlace>,
     /// How figures are made.
     figure: FigureChoice,
+    /// Which questions of lessons were answered.
+    lessons: Progress,
 }
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
@@ -306,6 +310,20 @@ impl Store {
     pub fn keep_figure(&mut self, figure: FigureChoice) {
         if self.preferences.figure != figure {
             self.preferences.figure = figure;
+            self.keep_preferences();
+        }
+    }
+
+    /// Which questions of lessons were answered.
+    #[must_use]
+    pub fn progress(&self) -> &Progress {
+        &self.preferences.lessons
+    }
+
+    /// Keeps which questions of lessons were answered.
+    pub fn keep_progress(&mut self, progress: &Progress) {
+        if self.preferences.lessons != *progress {
+            self.preferences.lessons.clone_from(progress);
             self.keep_preferences();
         }
     }

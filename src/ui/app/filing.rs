@@ -14,6 +14,7 @@ use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::colors;
 use bxdf_study::files;
+use bxdf_study::lessons::{self, Shelf};
 use bxdf_study::session::{self, Opened, Session};
 use bxdf_study::store::{Dialogs, FileDialog, News, Store};
 
@@ -59,6 +60,7 @@ impl App {
         }
         self.side = store.side();
         self.labels = store.labels();
+        self.learning.restore(store.progress());
         self.exports.choice = store.figure();
         let restored = store.restore(self.session.clone());
         if restored.session != self.session {
@@ -147,9 +149,18 @@ impl App {
         Ok(())
     }
 
-    /// Opens a file: a session in place of this one, a material beside the others. What is on the screen stays where it
+    /// Opens a file: a session in place of this one, a material beside the others, lessons beside them. What is on the screen stays where it
     /// cannot be read.
     pub fn open(&mut self, path: &Path, ctx: &Context) {
+        if lessons::is_lesson(path) {
+            if let Some(shelf) = self.notice.report(Shelf::open(path)) {
+                self.take_lessons(shelf);
+                if let Some(files) = &mut self.files {
+                    files.store.remember(path);
+                }
+            }
+            return;
+        }
         if let Some(files) = &self.files {
             let read = files.store.reader(path);
             self.read_file(path.to_owned(), read, ctx);
@@ -261,6 +272,7 @@ impl App {
             });
         files.store.keep_side(self.side);
         files.store.keep_labels(self.labels);
+        files.store.keep_progress(self.learning.progress());
         let is_presenting = self.zoom_before.is_some();
         let window = screens::place(ctx, files.store.window());
         if let Some(window) = window.filter(|_| !is_presenting) {

@@ -34,6 +34,7 @@ use bxdf_study::store::{LabelSize, Side};
 use exports::Exports;
 pub(super) use figure::Heading;
 use files::Files;
+use learning::Learning;
 use left::Left;
 use looking::Looking;
 use readings::Reading;
@@ -48,6 +49,7 @@ mod files;
 mod filing;
 mod first_steps;
 mod keys;
+mod learning;
 pub(super) mod left;
 mod looking;
 mod params;
@@ -107,6 +109,8 @@ pub struct App {
     pub(super) is_help_shown: bool,
     pub(super) tiles: Option<ViewTiles>,
     pub(super) first_steps: Option<FirstSteps>,
+    /// The lessons.
+    pub(super) learning: Learning,
     /// While the views are presented: how much the window was enlarged before.
     pub(super) zoom_before: Option<f32>,
     /// The parameter that was changed last, by its name.
@@ -175,6 +179,7 @@ impl App {
             is_help_shown: false,
             tiles: None,
             first_steps: None,
+            learning: Learning::default(),
             zoom_before: None,
             lacking: 0.0,
             free: 0.0,

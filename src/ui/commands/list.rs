@@ -7,6 +7,7 @@ use super::edits::{PIN, REDO, UNDO};
 use super::files::{
     COPY_PICTURE, COPY_SESSION, FIGURE, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA,
 };
+use super::learn::{COPY_STEP, LEARN, NEXT_STEP, STEP_BACK};
 use crate::app::App;
 use bxdf_lab::analysis::Hold;
 use bxdf_study::session::{Curves, MAX_MATERIALS};
@@ -337,7 +338,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 33] = [
+pub static COMMANDS: [&Command; 37] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -369,6 +370,10 @@ pub static COMMANDS: [&Command; 33] = [
     &LABELS,
     &FOLD,
     &SEARCH,
+    &LEARN,
+    &NEXT_STEP,
+    &STEP_BACK,
+    &COPY_STEP,
     &FIRST_STEPS,
     &HELP,
 ];

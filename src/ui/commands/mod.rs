@@ -5,6 +5,7 @@ mod edits;
 mod files;
 pub mod help;
 mod keys;
+mod learn;
 mod list;
 pub mod search;
 
@@ -12,4 +13,5 @@ pub use command::{Command, Group};
 pub use edits::*;
 pub use files::*;
 pub use keys::run_pressed;
+pub use learn::*;
 pub use list::*;

@@ -1,4 +1,4 @@
-//! The search of all that can be done at once: commands, views to add, arrangements.
+//! The search of all that can be done at once: commands, views to add, arrangements, lessons and questions.
 
 use egui::Context;
 
@@ -7,6 +7,7 @@ use super::list::COMMANDS;
 use crate::app::App;
 use crate::widgets::hits::{self, Found, Known};
 use crate::widgets::search::{Entry, Outcome, Search};
+use bxdf_study::lessons::{Lesson, lessons, questions};
 use bxdf_study::session::{READY_LAYOUTS, ReadyLayout};
 use bxdf_study::views::{VIEWS, ViewKind};
 
@@ -19,6 +20,10 @@ pub enum Hit {
     View(&'static ViewKind),
     /// A ready arrangement.
     Ready(&'static ReadyLayout),
+    /// A lesson, to be opened.
+    Lesson(&'static Lesson),
+    /// A question, to be opened.
+    Question(&'static Lesson),
 }
 
 impl Hit {
@@ -26,7 +31,14 @@ impl Hit {
     fn all() -> impl Iterator<Item = Self> {
         let commands = COMMANDS.into_iter().map(Self::Command);
         let ready = READY_LAYOUTS.iter().map(Self::Ready);
-        commands.chain(ready).chain(VIEWS.iter().map(Self::View))
+        let lessons = lessons().iter().map(Self::Lesson);
+        let questions = questions().iter().map(Self::Question);
+        let views = VIEWS.iter().map(Self::View);
+        commands
+            .chain(ready)
+            .chain(views)
+            .chain(lessons)
+            .chain(questions)
     }
 
     fn known(self) -> Known<'static> {
@@ -34,6 +46,14 @@ impl Hit {
             Self::Command(command) => (command.title, vec![command.group.title(), command.hint]),
             Self::View(view) => (view.title, vec!["View", "Add", view.what_you_see]),
             Self::Ready(ready) => (ready.name, vec!["Arrangement", ready.meaning]),
+            Self::Lesson(lesson) | Self::Question(lesson) => {
+                let keywords = lesson.keywords.iter().map(String::as_str);
+                let texts = ["Learn", self.sort(), &lesson.summary];
+                (
+                    lesson.title.as_str(),
+                    texts.into_iter().chain(keywords).collect(),
+                )
+            }
         };
         Known {
             names: vec![name],
@@ -53,12 +73,16 @@ impl Hit {
             }
             Self::View(view) => (format!("Add view: {}", view.title), view.what_you_see),
             Self::Ready(ready) => (format!("Arrangement: {}", ready.name), ready.meaning),
+            Self::Lesson(lesson) | Self::Question(lesson) => {
+                let title = format!("{}: {}", self.sort(), lesson.title);
+                (title, lesson.summary.as_str())
+            }
         };
         Entry {
             title,
             keys: String::new(),
             hint,
-            is_enabled: matches!(self, Self::Ready(_)) || app.session.views.has_room(),
+            is_enabled: !matches!(self, Self::View(_)) || app.session.views.has_room(),
         }
     }
 
@@ -71,6 +95,18 @@ impl Hit {
                 let room = app.room_of_views();
                 app.session.views.show_ready(ready, room);
             }
+            Self::Lesson(lesson) | Self::Question(lesson) => app.open_lesson(lesson, 0),
+        }
+    }
+
+    /// What sort of thing it is, in a word.
+    fn sort(self) -> &'static str {
+        match self {
+            Self::Command(_) => "Command",
+            Self::View(_) => "View",
+            Self::Ready(_) => "Arrangement",
+            Self::Lesson(_) => "Lesson",
+            Self::Question(_) => "Question",
         }
     }
 }
@@ -95,13 +131,15 @@ mod tests {
             Hit::Command(command) => command.id,
             Hit::View(view) => view.id,
             Hit::Ready(ready) => ready.name,
+            Hit::Lesson(lesson) | Hit::Question(lesson) => lesson.id.as_str(),
         };
         found.listed().iter().map(id).collect()
     }
 
     #[test]
     fn all_words_must_be_found() {
-        let all = COMMANDS.len() + VIEWS.len() + READY_LAYOUTS.len();
+        let learnt = lessons().len() + questions().len();
+        let all = COMMANDS.len() + VIEWS.len() + READY_LAYOUTS.len() + learnt;
         assert_eq!(ids("").len(), all);
         assert_eq!(ids("save"), ["save", "save_as", "save_with_data"]);
         assert_eq!(ids("save another"), ["save_as"]);

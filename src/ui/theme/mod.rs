@@ -7,9 +7,11 @@ use bxdf_lab::analysis::Channel;
 use bxdf_study::colors;
 use bxdf_study::session::PaletteIndex;
 pub use maps::*;
+pub use math_fonts::family_of;
 pub use palette::Palette;
 
 mod maps;
+mod math_fonts;
 mod palette;
 
 /// The theme, as the document names it.
@@ -43,6 +45,16 @@ pub const FOLDED_WIDTH: f32 = 48.0;
 /// In a window narrower than this, in points, it is folded unless it is wanted: two views of a usable size would not stand
 /// beside it.
 pub const FOLD_BELOW: f32 = 1100.0;
+/// The width of the panel of lessons, in points.
+pub const LESSON_WIDTH: f32 = 360.0;
+/// The size of its letters, in points.
+pub const LESSON_TEXT: f32 = 14.0;
+/// Its width while it is presented, in points.
+pub const LARGE_LESSON_WIDTH: f32 = 380.0;
+/// The size of its letters then, in points.
+pub const LARGE_LESSON_TEXT: f32 = 15.0;
+/// It takes no more than this part of the width that there is.
+pub const LESSON_SHARE: f32 = 0.45;
 /// The height of the bar at the bottom, in points.
 pub const BAR_HEIGHT: f32 = 36.0;
 /// The widths of a slider in that bar, from the least to the most, in points.
@@ -245,6 +257,7 @@ pub fn apply(ctx: &egui::Context) {
         let more: Vec<String> = wide.into_iter().filter(lacks).collect();
         text.extend(more);
     }
+    math_fonts::add(&mut fonts);
     ctx.set_fonts(fonts);
     ctx.all_styles_mut(|style| {
         let font = |size: f32| FontId::new(size, FontFamily::Proportional);

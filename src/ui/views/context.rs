@@ -19,6 +19,7 @@ use bxdf_study::answers::Answers;
 use bxdf_study::cursor::Cursor;
 use bxdf_study::export::Format;
 use bxdf_study::jobs::Clock;
+use bxdf_study::lessons::Thing;
 use bxdf_study::memo::Same;
 use bxdf_study::session::{EntryId, Materials, Section, Session, ViewId};
 
@@ -195,6 +196,16 @@ pub(super) struct Named {
     pub(super) of: Hold,
     /// Whether the lobe is over the other one.
     pub(super) is_held: bool,
+}
+
+impl Named {
+    /// What words that name it stand for.
+    pub(super) fn thing(&self) -> Thing {
+        match self.of {
+            Hold::Light => Thing::Light,
+            Hold::Viewer => Thing::Viewer,
+        }
+    }
 }
 
 /// The directions of the section that have names.

@@ -8,6 +8,7 @@ use crate::widgets::draw;
 use crate::widgets::handle::{self, Handle};
 use crate::widgets::labels::{Labels, Reach};
 use crate::widgets::steps::Steps;
+use crate::widgets::things::{self, By};
 use bxdf::math::frame;
 use bxdf_lab::analysis::half_difference::Spherical;
 use bxdf_study::format;
@@ -31,6 +32,11 @@ pub(super) fn show<O>(
     let named = (ui.scope_id().with(name), name, room);
     let handle = handle::show(ui, middle, named, &hint, (one.color, cx.palette));
     handle.says(angles(one.direction));
+    let thing = one.thing();
+    if handle.is_touched() {
+        things::point(ui.ctx(), &thing, By::Place);
+    }
+    things::ring(ui, middle, &thing, cx.palette);
     handle
 }
 

@@ -48,6 +48,13 @@ impl Handle {
         self.response.as_ref().is_some_and(Response::dragged)
     }
 
+    /// Whether it is pointed at, or dragged.
+    #[must_use]
+    pub fn is_touched(&self) -> bool {
+        let is_touched = |response: &Response| response.hovered() || response.dragged();
+        self.response.as_ref().is_some_and(is_touched)
+    }
+
     /// Where its middle is to go; `None` while it is not moved.
     #[must_use]
     pub fn dragged_to(&self) -> Option<Pos2> {

@@ -24,6 +24,15 @@ pub fn arrangements(ui: &mut Ui, views: &mut Views, room: [f32; 2], has_words: b
     }
 }
 
+/// Lessons beside the views, which stand among the arrangements. Returns whether they are to be shown, or hidden.
+pub fn learn(ui: &mut Ui, is_learning: bool, has_words: bool, hint: &str) -> bool {
+    let text = if has_words { "🎓 Learn" } else { "🎓" };
+    let choice = ui.add(Button::selectable(is_learning, text));
+    ui.ctx()
+        .accesskit_node_builder(choice.id, |node| node.set_label("Learn"));
+    choice.on_hover_text(hint).clicked()
+}
+
 /// The menu of the views that can be added to those that are open, in a window that has this `room` for them.
 ///
 /// # Errors

@@ -339,7 +339,7 @@ pub struct WeightHistogram {
     pub mean: f64,
     /// The largest.
     pub largest: f64,
-    /// The share of the draws that gave a sample of weight 0.
+    /// The share of the draws that gave no sample, or one of weight 0.
     pub zeros: f64,
     /// How many draws gave no sample.
     pub lost: usize,
@@ -383,7 +383,7 @@ impl WeightHistogram {
             bins,
             mean: weights.iter().sum::<f64>() / count,
             largest: weights.iter().copied().fold(0.0, f64::max),
-            zeros: (weights.len() - logarithms.len()) as f64 / count,
+            zeros: (weights.len() + lost - logarithms.len()) as f64 / count,
             lost,
         }
     }

@@ -33,6 +33,13 @@ fn one_seed_gives_one_study() {
 }
 
 #[test]
+fn lost_draws_are_counted_among_those_of_no_weight() {
+    let grazing = study("rough_conductor:alpha=0.5", 80.0, 4096);
+    let lost = grazing.lost as f64 / 4096.0;
+    assert!(lost > 0.02 && grazing.weights.zeros >= lost, "{lost}");
+}
+
+#[test]
 fn a_diffuse_lobe_is_sampled_as_it_should_be() {
     let white = study("lambertian_reflection:reflectance=0.5", 50.0, 8192);
     assert_eq!((white.points.len(), white.lost), (8192, 0));

@@ -44,6 +44,25 @@ impl<V: Copy + PartialEq> Place<V> {
         self.split(neighbour, view, halves);
     }
 
+    /// These places with their row as a column, or the other way round, where that leaves the smallest of them more room to
+    /// its shorter side; then [`Self::fitted`].
+    #[must_use]
+    pub fn turned_and_fitted(self, room: [f32; 2]) -> Self {
+        let turned = match self.clone() {
+            Self::Row(parts) => Self::Column(parts),
+            Self::Column(parts) => Self::Row(parts),
+            other => other,
+        };
+        let least = |place: &Self| {
+            let leaves = place.leaves(room).into_iter();
+            leaves
+                .map(|leaf| leaf.size[0].min(leaf.size[1]))
+                .fold(f32::INFINITY, f32::min)
+        };
+        let is_better = least(&turned) > least(&self);
+        if is_better { turned } else { self }.fitted(room)
+    }
+
     /// These places as they fit into a window with this `room`: as long as one is too small for a view, its views become
     /// further tabs of the place before it, or of the one after the first.
     #[must_use]

@@ -13,10 +13,11 @@ use super::surface::Lobes;
 use crate::scene3d::{Projection as _, Ray};
 use crate::theme::Palette;
 use crate::widgets::labels::{Labels, Place, Reach};
-use crate::widgets::{deltas, draw, still};
+use crate::widgets::{deltas, draw, still, things};
 use bxdf::math::frame;
 use bxdf_lab::analysis::Channel;
 use bxdf_study::format;
+use bxdf_study::lessons::Thing;
 use bxdf_study::session::OrbitCamera;
 use bxdf_study::session::Session;
 
@@ -100,6 +101,9 @@ impl Sketch<'_> {
             let (middle, anchor) = (rect.center(), Align2::CENTER_CENTER);
             let ink = self.palette.text_in(color);
             draw::haloed_text(&painter, middle, anchor, text, font, ink, self.palette);
+            if let Some(thing) = Thing::named(text) {
+                things::frame(self.ui, rect, &thing, self.palette);
+            }
         }
     }
 

@@ -10,9 +10,11 @@ use super::super::context::Named;
 use super::radial::{Radial, Rings, at};
 use crate::theme;
 use crate::theme::Dash;
+use crate::widgets::things::{self, By};
 use crate::widgets::{chart, deltas as arrows, draw};
 use bxdf_lab::analysis::polar::{self, Point};
 use bxdf_lab::analysis::{Channel, deltas};
+use bxdf_study::lessons::Thing;
 use bxdf_study::session::{Curves, EntryId, PaletteIndex, Section, Session};
 
 /// Width of the note, as a share of the plot's.
@@ -144,7 +146,15 @@ pub(super) fn draw_directions(
     section: Section,
     palette: &theme::Palette,
 ) {
-    plot_ui.line(line([[0.0, 0.0], [0.0, 1.0]], (1.5, palette.ink)));
+    let ctx = plot_ui.ctx().clone();
+    // What words of a text point at is drawn twice as wide.
+    let emphasis = |name: &str| {
+        let thing = Thing::named(name);
+        let is_meant = thing.is_some_and(|thing| things::is_pointed(&ctx, &thing, By::Words));
+        if is_meant { 2.0 } else { 1.0 }
+    };
+    let width = 1.5 * emphasis("n");
+    plot_ui.line(line([[0.0, 0.0], [0.0, 1.0]], (width, palette.ink)));
     // The most important one lies over the others.
     for way in named_directions(session, directions, section, palette)
         .iter()
@@ -158,7 +168,7 @@ pub(super) fn draw_directions(
         } else {
             LineStyle::Solid
         };
-        let width = if is_mirror { 1.5 } else { 2.0 };
+        let width = if is_mirror { 1.5 } else { 2.0 } * emphasis(way.name);
         let ends = [[0.0, 0.0], at(1.0, way.angle)];
         plot_ui.line(line(ends, (width, way.color)).style(style));
     }

@@ -11,9 +11,11 @@ use crate::theme::{self, Dash, Palette};
 use crate::widgets::badges::Badges;
 use crate::widgets::chevron::focus_ring;
 use crate::widgets::draw;
+use crate::widgets::things;
 use crate::widgets::thumbnails::{self, Thumbnails};
 use bxdf_lab::contract::PhysicalLaws;
 use bxdf_study::answers::Answers;
+use bxdf_study::lessons::Thing;
 use bxdf_study::session::{MaterialEntry, Materials};
 
 /// The length of the line below a name, in points: it shows what of it are dashes.
@@ -43,6 +45,9 @@ impl Row<'_> {
         let mut wished = Vec::new();
         let size = vec2(ui.available_width(), theme::ROW_HEIGHT);
         let row = Rect::from_min_size(ui.cursor().min, size);
+        if let Some(index) = self.materials.position(self.entry.id()) {
+            things::frame(ui, row, &Thing::Material(index + 1), palette);
+        }
         if self.is_selected() {
             let fill = ui.visuals().selection.bg_fill;
             ui.painter().rect_filled(row, 4.0, fill);

@@ -1,0 +1,171 @@
+//! Lessons, gone through in the window.
+
+use brdf_explorer::study::lessons::{Kind, Lesson, Thing, lessons, questions, read};
+use brdf_explorer::study::session::Session;
+use brdf_explorer::ui::app::App;
+use egui::{Key, Modifiers, Role, Theme};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+fn window(size: [u32; 2]) -> Harness<'static, App> {
+    super::picture(Session::default(), None, size, Theme::Dark).controls()
+}
+
+fn example() -> Lesson {
+    let text = include_str!("../../assets/lessons/README.md");
+    let (_, behind) = text.split_once("````markdown\n").unwrap();
+    let (lesson, _) = behind.split_once("````\n").unwrap();
+    read(lesson, "example", "README.md").unwrap()
+}
+
+/// The lesson that the documentation teaches with is one, and is gone through by the keyboard alone.
+#[test]
+fn the_example_is_gone_through_by_keys() {
+    let mut harness = window([1280, 800]);
+    harness.state_mut().open_lesson(&example(), 0);
+    harness.run();
+    let chosen = |harness: &Harness<'_, App>| harness.query_by_label("✔ Right").is_some();
+    // From letter to letter, until the right one has the focus.
+    let wanted = "B: It grows about fourfold";
+    harness.get_by_label(wanted).focus();
+    harness.run();
+    harness.key_press(Key::Space);
+    harness.run();
+    assert!(chosen(&harness));
+    assert!(
+        harness
+            .state()
+            .session
+            .to_toml()
+            .unwrap()
+            .contains("alpha_x=0.2")
+    );
+    harness.key_press(Key::PageDown);
+    harness.run();
+    assert!(harness.query_by_label("Do it").is_some());
+    assert!(!chosen(&harness));
+    // The state that is asked for is seen as soon as it is there.
+    let solution = "rough_conductor:fresnel=one,alpha=.05".parse().unwrap();
+    harness
+        .state_mut()
+        .session
+        .materials
+        .selected_mut()
+        .material = solution;
+    harness.run();
+    assert!(chosen(&harness));
+    harness.key_press(Key::PageUp);
+    harness.run();
+    assert!(chosen(&harness), "what was answered stays so");
+    // All of it is undone like anything else.
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+    assert!(
+        harness.query_by_label("Do it").is_some() || harness.query_by_label("Predict").is_some()
+    );
+}
+
+#[test]
+fn a_wrong_answer_shows_what_it_means_and_goes_back() {
+    let text = "+++\ntitle = \"T\"\n[state]\nmaterials = [\"chalk\"]\nlight = 30\n+++\n## One\n\n\
+        ```ask\nquestion = \"Where?\"\nnumber = \"angle(light)\"\ntolerance = 1\nshows = \"light\"\nhints = [\"Look.\"]\n```\n\nSo.\n";
+    let lesson = read(text, "t", "t.md").unwrap();
+    let mut harness = window([1024, 640]);
+    harness.state_mut().open_lesson(&lesson, 0);
+    harness.run();
+    harness.get_by_label("Hint").click();
+    harness.run();
+    assert!(harness.query_by_label("Look.").is_some());
+    let answer = |harness: &mut Harness<'_, App>, text: &str| {
+        let field = harness.get_by_role_and_label(Role::TextInput, "Your answer");
+        field.focus();
+        harness.run();
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness
+            .get_by_role_and_label(Role::TextInput, "Your answer")
+            .type_text(text);
+        harness.run();
+        harness.get_by_label("Answer").click();
+        harness.run();
+    };
+    answer(&mut harness, "steep");
+    assert!(
+        harness
+            .query_by_label_contains("'steep' is no number")
+            .is_some()
+    );
+    answer(&mut harness, "70");
+    assert!(
+        harness
+            .query_by_label("✖ Not within the tolerance")
+            .is_some()
+    );
+    harness.get_by_label("See what that means").click();
+    harness.run();
+    assert_eq!(harness.state().session.theta_deg, 70.0);
+    harness.get_by_label("Back to the step").click();
+    harness.run();
+    assert_eq!(harness.state().session.theta_deg, 30.0);
+    answer(&mut harness, "30,4");
+    assert!(harness.query_by_label("✔ Right").is_some() && harness.query_by_label("So.").is_some());
+}
+
+/// Every step of every lesson stands in a small window, and the controls that it names are there.
+#[test]
+fn every_step_stands_in_the_window() {
+    let mut harness = window([1024, 640]);
+    for lesson in lessons().iter().chain(questions()) {
+        for (index, step) in lesson.steps.iter().enumerate() {
+            harness.state_mut().open_lesson(lesson, index);
+            harness.run_ok();
+            let place = format!("{} {}", lesson.id, step.title);
+            assert!(harness.query_by_label(&step.title).is_some(), "{place}");
+            for thing in named(step) {
+                if let Thing::Control(name) = thing {
+                    let is_there = harness.query_all_by_label(name).next().is_some();
+                    assert!(is_there, "{place}: no control is called '{name}'");
+                }
+            }
+            if let Some(Kind::Choice(choices)) = step.ask.as_ref().map(|ask| &ask.kind) {
+                let letters = (b'A'..).map(char::from).take(choices.len());
+                for letter in letters {
+                    let name = format!("{letter}: ");
+                    assert!(
+                        harness.query_by_label_contains(&name).is_some(),
+                        "{place}: {name}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The things that a step names.
+fn named(step: &brdf_explorer::study::lessons::Step) -> Vec<&Thing> {
+    use brdf_explorer::study::lessons::{Span, spans};
+    let texts = spans(&step.text).into_iter().chain(spans(&step.answer));
+    let of_words = texts.filter_map(|span| match span {
+        Span::Words { style, .. } => style.thing.as_ref(),
+        _ => None,
+    });
+    step.shows.iter().chain(of_words).collect()
+}
+
+#[test]
+fn lessons_are_listed_and_found() {
+    let mut harness = window([1280, 800]);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::L);
+    harness.run();
+    let first = &lessons()[0];
+    assert!(harness.query_by_label(&first.title).is_some());
+    harness
+        .get_by_role_and_label(Role::TextInput, "Find a lesson or a question")
+        .focus();
+    harness.run();
+    harness
+        .get_by_role_and_label(Role::TextInput, "Find a lesson or a question")
+        .type_text("no such thing");
+    harness.run();
+    assert!(harness.query_by_label(&first.title).is_none());
+    assert!(harness.query_by_label("Nothing of the kind").is_some());
+}
