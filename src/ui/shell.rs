@@ -262,7 +262,7 @@ impl App {
                 let value = read.value(&self.session, &mut self.answers);
                 let bar = Bar {
                     cursor: Some((&read, value)),
-                    energy: Energy::of(&shares, palette),
+                    energy: Energy::of(self.session.held(), shares.as_deref(), palette),
                     progress: self.answers.progress(),
                 };
                 bar.show(ui, &mut self.session);

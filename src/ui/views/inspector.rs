@@ -13,6 +13,7 @@ use bxdf::Side;
 use bxdf_lab::analysis::half_difference::{HalfDifference, Spherical, half_difference};
 use bxdf_lab::analysis::hemisphere::Quantity;
 use bxdf_lab::analysis::inspector::{DeltaReading, Reading, deltas};
+use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_lab::analysis::{Channel, Hold};
 use bxdf_study::export::names;
 use bxdf_study::format;
@@ -62,6 +63,8 @@ const DELTAS: [(&str, &str); 2] = [
 struct Report {
     wo: DVec3,
     wi: DVec3,
+    /// Whichever of the two is not held.
+    free: DVec3,
     rows: Vec<Row>,
 }
 
@@ -95,6 +98,9 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
                 ui.ctx().copy_text(report.csv());
             }
         });
+        if !has_flux(report.free) {
+            ui.weak("In the surface plane, at θ = 90°, no light crosses and f is set to 0; plots show its limit there");
+        }
         table(ui, &report);
     });
 }
@@ -122,6 +128,7 @@ fn report(cx: &mut ViewContext<'_, Options>) -> Report {
     Report {
         wo,
         wi,
+        free,
         rows: session.materials.shown().map(row).collect(),
     }
 }

@@ -8,6 +8,7 @@ use super::settings;
 use crate::theme::Dash;
 use crate::widgets::legend::Swatch;
 use crate::widgets::{draw, pictures, reset, still};
+use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_lab::analysis::{RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::MaterialEntry;
@@ -30,8 +31,6 @@ const TOP_ROOM: f64 = 0.27;
 const LOWER_ROOM: f64 = 0.16;
 /// The same in points, where that is more.
 const LOWER_POINTS: f64 = 18.0;
-/// How far the plot's part of the plane may be from what it is at first, as a share of its width, by rounding to pixels alone.
-const WINDOW_SLACK: f64 = 0.005;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
 
@@ -175,18 +174,9 @@ fn show_plot(
     if !response.response.hovered() {
         mark_cursor(ui, cx, &transform);
     }
-    let is_moved = !is_near(transform.bounds(), &window);
+    let memory = PlotMemory::load(ui.ctx(), id);
+    let is_moved = memory.is_some_and(|memory| !memory.auto_bounds.all());
     reset::of_plot(ui, id, *transform.frame(), is_moved);
-}
-
-/// Whether the plot shows `window`, but for what the rounding of its frame to pixels makes of it.
-fn is_near(bounds: &PlotBounds, window: &PlotBounds) -> bool {
-    let ends = |bounds: &PlotBounds| [bounds.min(), bounds.max()];
-    let slack = WINDOW_SLACK * window.width();
-    let pairs = ends(bounds).into_iter().zip(ends(window));
-    pairs
-        .flat_map(|(one, other)| one.into_iter().zip(other))
-        .all(|(one, other)| (one - other).abs() <= slack)
 }
 
 /// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
@@ -233,9 +223,7 @@ fn note(cx: &ViewContext<'_, Options>, plotted: &[Plotted]) -> Option<&'static s
     let has_outside = stems.any(|stem| !stem.is_inside);
     if plotted.is_empty() {
         Some("Every material is hidden")
-    } else if session.held().z == 0.0 {
-        Some("In the surface plane a direction carries no light")
-    } else if is_empty {
+    } else if is_empty && has_flux(session.held()) {
         Some("No light leaves: total internal reflection, or all is absorbed")
     } else if has_outside || !cx.options.own_section_deg.of(session).holds_held {
         Some("Dashed: outside this section, drawn at its θ")
