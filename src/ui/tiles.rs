@@ -299,6 +299,8 @@ fn maximise_button(ui: &mut Ui, is_maximised: bool, title: &str) -> bool {
 impl Behavior<ViewId> for Panes<'_, '_> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, id: &mut ViewId) -> UiResponse {
         if self.views.kind(*id).is_some() {
+            // What a view draws beyond its tile would lie below what its neighbour draws.
+            ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
             egui::Frame::NONE
                 .inner_margin(theme::TILE_MARGIN)
                 .show(ui, |ui| (self.show_view)(ui, *id));
