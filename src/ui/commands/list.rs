@@ -175,10 +175,10 @@ pub static FOUR_KINDS: Command = command(
     [
         "four_kinds",
         "Four kinds",
-        "Show diffuse, glossy, perfect specular and retro-reflective reflection side by side, in place of the materials there are",
+        "Show diffuse, glossy, perfect specular and retro-reflective reflection side by side, in place of your materials, which undo brings back",
     ],
     &[key(CTRL, Key::Num4)],
-    |app, _| app.session.show_four_kinds(app.room_of_views()),
+    App::show_four_kinds,
 );
 
 /// Multiplies by the cosine, or does not.

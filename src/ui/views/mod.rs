@@ -23,6 +23,7 @@ mod polar;
 mod reflectance;
 mod sampling;
 mod settings;
+mod side_by_side;
 mod slice;
 mod sphere;
 mod stability;

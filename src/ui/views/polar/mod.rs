@@ -4,10 +4,10 @@ use egui::{IdSalt, Sense, Ui, UiBuilder, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::context::ViewContext;
-use super::settings;
+use super::{settings, side_by_side};
 use crate::theme::Dash;
 use crate::widgets::legend::Swatch;
-use crate::widgets::{draw, pictures, reset, still};
+use crate::widgets::{draw, reset, still};
 use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_lab::analysis::{RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
@@ -61,10 +61,14 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     plotted.sort_by_key(|one| one.slot);
     let room = ui.available_rect_before_wrap();
     let aspect = aspect(cx.state.shows_lower_half(cx.session));
-    let cells = pictures::cells(ui, room, plotted.len(), aspect);
-    for (cell, one) in cells.into_iter().zip(plotted) {
-        pictures::title(ui, cell, one.entry, cx.session, cx.palette);
-        let scope = UiBuilder::new().max_rect(cell.picture).id_salt(one.entry);
+    let is_own = cx.options.scale.is_each_to_peak;
+    let named = plotted
+        .iter()
+        .map(|one| (one.entry, is_own.then_some(one.radial.full)));
+    let named: Vec<_> = named.collect();
+    let cells = side_by_side::cells(ui, cx, (room, aspect), &named);
+    for (picture, one) in cells.into_iter().zip(plotted) {
+        let scope = UiBuilder::new().max_rect(picture).id_salt(one.entry);
         ui.scope_builder(scope, |ui| show_plot(ui, cx, &[one], shared));
     }
     ui.advance_cursor_after_rect(room);
@@ -96,7 +100,7 @@ fn rings(cx: &ViewContext<'_, Options>, plotted: &[Plotted], shared: Option<f64>
     match (shared, plotted) {
         (Some(full), _) => Rings::of(Radial::new(lengths, full), &format!("{quantity} in 1/sr")),
         (None, [one]) => Rings::of(one.radial, &format!("{quantity} in 1/sr")),
-        (None, _) => Rings::of_shares(lengths, &format!("{quantity} over its peak")),
+        (None, _) => Rings::of_shares(lengths, &format!("{quantity} over its own peak")),
     }
 }
 
