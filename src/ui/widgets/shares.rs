@@ -15,8 +15,8 @@ use bxdf_study::format;
 const EXCESS: f64 = 0.005;
 
 /// What the numbers are.
-const HINT: &str =
-    "What becomes of light arriving along the held direction, as shares of its flux (luminance)";
+const HINT: &str = "What becomes of light arriving along the fixed direction, as shares of its flux: luminance, that is R, G and B weighted as the \
+     eye does";
 
 /// A part of the bar: its name, its share and how it is filled.
 struct Part {

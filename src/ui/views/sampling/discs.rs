@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use egui::{Align2, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
+use egui::{Align2, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2, vec2};
 use glam::DVec3;
 
 use super::super::context::ViewContext;
@@ -11,9 +11,9 @@ use super::super::direction;
 use super::studies::color_of;
 use crate::scene3d::Projection as _;
 use crate::theme::Palette;
-use crate::widgets::draw;
 use crate::widgets::labels::Labels;
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
+use crate::widgets::{choice, draw};
 use bxdf::math::frame;
 use bxdf_lab::analysis::hemisphere::Projection;
 use bxdf_lab::analysis::raster::Raster;
@@ -184,26 +184,29 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
         if let Some(first) = one_side.clone().next() {
             let at = disc.position(first.direction);
             painter.circle_stroke(at, 7.0, (2.0, color));
-            let side = if is_upper { "up" } else { "down" };
-            let text = format!("{number} in the delta {side}");
+            let text = format!("{number} samples exactly here (delta)");
             let below = at + vec2(0.0, if is_upper { -16.0 } else { 16.0 });
             let font = draw::small_font(ui);
             let (anchor, ink) = (Align2::CENTER_CENTER, cx.palette.ink);
             let galley = painter.layout_no_wrap(text.clone(), font.clone(), ink);
             // In a small disc the ring stands alone.
             if galley.size().x < disc.rect.width() {
-                draw::haloed_text(painter, below, anchor, &text, font, ink, cx.palette);
+                let painter = ui.painter_at(disc.rect);
+                draw::haloed_text(&painter, below, anchor, &text, font, ink, cx.palette);
             }
         }
     }
     if study.lost > 0 {
         let share = study.lost as f64 / (study.lost + study.points.len()) as f64;
-        note(
-            ui,
-            disc.rect,
-            &format!("{} % lost", format::value(100.0 * share)),
-            cx.palette,
-        );
+        let share = format!("{} %", format::value(100.0 * share));
+        let whole = format!("{share} of the samples have weight 0");
+        let fits = choice::width_of(ui, &whole, &TextStyle::Small) < disc.rect.width();
+        let text = if fits {
+            whole
+        } else {
+            format!("weight 0: {share}")
+        };
+        note(ui, disc.rect, &text, cx.palette);
     }
 }
 
