@@ -1,13 +1,13 @@
 //! The panel at the side: the materials, the parameters of the selected one, and the picker beside them.
 
-use egui::{Align, Context, Layout, Panel, Rect, RichText, ScrollArea, Ui};
+use egui::{Context, Id, Panel, Rect, RichText, ScrollArea, Ui};
 
 use super::app::App;
 use super::commands;
 use super::theme::{self, Palette};
 use super::widgets::chevron::{self, Points};
 use super::widgets::params::Ties;
-use super::widgets::{badges, components};
+use super::widgets::{at_right, badges, components};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::Session;
 
@@ -121,13 +121,13 @@ impl App {
         let mut wished = None;
         ui.horizontal(|ui| {
             ui.label(RichText::new("Your materials").strong());
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                self.fold_button(ui, false);
-                for command in [&commands::PASTE, &commands::ADD] {
+            at_right::show(ui, Id::unique("buttons of the list"), |ui| {
+                for command in [&commands::ADD, &commands::PASTE] {
                     if command.button(ui, self) {
                         wished = Some(command);
                     }
                 }
+                self.fold_button(ui, false);
             });
         });
         self.run(wished, ui.ctx());

@@ -107,7 +107,10 @@ fn what_does_not_fit_is_behind_the_last_button() {
         for name in BAR_NUMBERS {
             assert!(here(&harness, name), "{width}: {name}");
         }
-        // A number that is typed there counts as it does in the bar.
+        // A number that is typed there counts as it does in the bar, which is reached when the menu is closed.
+        if !gone.contains(&"Rotate surface about n") {
+            press(&mut harness, Key::Escape);
+        }
         enter(&mut harness, "Rotate surface about n", "12,5");
         assert_eq!(harness.state().session.rotation_deg, 12.5, "{width}");
     }

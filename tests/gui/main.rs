@@ -24,6 +24,7 @@ mod instances;
 mod integral;
 mod interaction;
 mod keeping;
+mod keyboard;
 mod list;
 mod lobe;
 mod materials;

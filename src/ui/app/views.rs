@@ -3,6 +3,7 @@
 use egui::Context;
 
 use super::App;
+use bxdf_lab::analysis::Hold;
 use bxdf_study::session::ViewId;
 use bxdf_study::views::{Options, ViewKind};
 
@@ -28,6 +29,12 @@ impl App {
         let words =
             "The four kinds stand in place of your materials: Undo (Ctrl+Z) brings those back";
         self.say(words.to_owned(), ctx);
+    }
+
+    /// Gives the light or the viewer the focus, in the view that commands are about, or else in any that shows it.
+    pub fn focus_direction(&mut self, of: Hold, ctx: &Context) {
+        self.state.wish_focus(of, self.current_view());
+        ctx.request_repaint();
     }
 
     /// Adds a view of this kind where there is most room.

@@ -3,6 +3,7 @@
 use egui::Key;
 
 use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, SHIFT, command, key, switched};
+use super::directions::{LIGHT, VIEWER};
 use super::edits::{PIN, REDO, UNDO};
 use super::files::{
     COPY_PICTURE, COPY_SESSION, FIGURE, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA,
@@ -79,7 +80,7 @@ pub static SOLO: Command = Command {
         let shown = materials.solo().and_then(|id| materials.get(id));
         let title = shown.map(|entry| materials.title(entry));
         title.map_or_else(
-            || "All materials are shown but those hidden".to_owned(),
+            || "Shown again: every material with a tick".to_owned(),
             |title| format!("Shown alone: {title}"),
         )
     }),
@@ -224,7 +225,7 @@ pub static ANGLES: Command = Command {
         Group::View,
         [
             "angles",
-            "Angles of the held direction",
+            "Angles of the fixed direction",
             "Show or hide theta, phi and the projection in the 3D lobe",
         ],
         &[key(PLAIN, Key::A)],
@@ -337,7 +338,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 33] = [
+pub static COMMANDS: [&Command; 35] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -365,6 +366,8 @@ pub static COMMANDS: [&Command; 33] = [
     &ANGLES,
     &DUPLICATE_VIEW,
     &OWN_SECTION,
+    &LIGHT,
+    &VIEWER,
     &PRESENT,
     &LABELS,
     &FOLD,
