@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use brdf_explorer::ui::app::App;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Shape};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{AccessKitNode, By, NodeT as _, Queryable};
+use egui_kittest::kittest::{By, NodeT as _, Queryable};
 
 use super::{window, window_of};
 
@@ -64,7 +64,8 @@ fn a_press_on_a_handle_gives_it_the_focus() {
 
 /// What has the focus: its name, and where it is.
 fn focused(harness: &Harness<'_, App>) -> Option<(String, Rect)> {
-    let node = harness.query_all(By::new().predicate(AccessKitNode::is_focused));
+    let node =
+        harness.query_all(By::new().predicate(|node| node.is_focused() && !node.is_hidden()));
     let mut node = node.map(|node| {
         (
             node.accesskit_node().label().unwrap_or_default(),
