@@ -29,6 +29,9 @@ const DISC: Projection = Projection::EqualArea;
 /// Room for labels around a disc, in points.
 const LABELS: f32 = 14.0;
 
+/// The radius of the ring about the samples of a delta, in points.
+const DELTA_RING: f32 = 7.0;
+
 /// The most samples drawn as dots, and the most for each square point of the picture: more are a blot.
 const MOST_DOTS: usize = 4096;
 const DOTS_PER_AREA: f32 = 0.12;
@@ -183,12 +186,14 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
         let number = one_side.clone().count();
         if let Some(first) = one_side.clone().next() {
             let at = disc.position(first.direction);
-            painter.circle_stroke(at, 7.0, (2.0, color));
+            painter.circle_stroke(at, DELTA_RING, (2.0, color));
             let text = format!("{number} samples exactly here (delta)");
-            let below = at + vec2(0.0, if is_upper { -16.0 } else { 16.0 });
             let font = draw::small_font(ui);
             let (anchor, ink) = (Align2::CENTER_CENTER, cx.palette.ink);
             let galley = painter.layout_no_wrap(text.clone(), font.clone(), ink);
+            // Clear of the ring, whatever the size of labels.
+            let off = DELTA_RING + 4.0 + 0.5 * galley.size().y;
+            let below = at + vec2(0.0, if is_upper { -off } else { off });
             // In a small disc the ring stands alone.
             if galley.size().x < disc.rect.width() {
                 let painter = ui.painter_at(disc.rect);
@@ -200,13 +205,12 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
         let share = study.lost as f64 / (study.lost + study.points.len()) as f64;
         let share = format!("{} %", format::value(100.0 * share));
         let whole = format!("{share} of the samples have weight 0");
-        let fits = choice::width_of(ui, &whole, &TextStyle::Small) < disc.rect.width();
-        let text = if fits {
-            whole
-        } else {
-            format!("weight 0: {share}")
-        };
-        note(ui, disc.rect, &text, cx.palette);
+        let fits =
+            |text: &String| choice::width_of(ui, text, &TextStyle::Small) < disc.rect.width();
+        let texts = [whole, format!("weight 0: {share}")];
+        if let Some(text) = texts.iter().find(|text| fits(text)) {
+            note(ui, disc.rect, text, cx.palette);
+        }
     }
 }
 
