@@ -187,7 +187,7 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
         if let Some(first) = one_side.clone().next() {
             let at = disc.position(first.direction);
             painter.circle_stroke(at, DELTA_RING, (2.0, color));
-            let text = format!("{number} samples exactly here (delta)");
+            let text = format!("{number} samples (delta)");
             let font = draw::small_font(ui);
             let (anchor, ink) = (Align2::CENTER_CENTER, cx.palette.ink);
             let galley = painter.layout_no_wrap(text.clone(), font.clone(), ink);
