@@ -29,6 +29,9 @@ const DISC: Projection = Projection::EqualArea;
 /// Room for labels around a disc, in points.
 const LABELS: f32 = 14.0;
 
+/// The room for the patch behind a label, in points: it would break the line where there is less.
+const PATCH: f32 = 8.0;
+
 /// The radius of the ring about the samples of a delta, in points.
 const DELTA_RING: f32 = 7.0;
 
@@ -195,7 +198,7 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
             let off = DELTA_RING + 4.0 + 0.5 * galley.size().y;
             let below = at + vec2(0.0, if is_upper { -off } else { off });
             // In a small disc the ring stands alone.
-            if galley.size().x < disc.rect.width() {
+            if galley.size().x + PATCH < disc.rect.width() {
                 let painter = ui.painter_at(disc.rect);
                 draw::haloed_text(&painter, below, anchor, &text, font, ink, cx.palette);
             }
