@@ -49,14 +49,14 @@ struct Report {
     isotropic: Isotropic,
 }
 
-/// What becomes of the light arriving at `theta` degrees.
+/// What becomes of the light arriving at `theta` degrees; no numbers where none arrives.
 #[derive(Serialize)]
 struct Row {
     theta: f64,
-    reflection: [f64; 3],
-    transmission: [f64; 3],
-    absorbed: [f64; 3],
-    error: f64,
+    reflection: Option<[f64; 3]>,
+    transmission: Option<[f64; 3]>,
+    absorbed: Option<[f64; 3]>,
+    error: Option<f64>,
     shares: Shares,
 }
 
@@ -96,14 +96,14 @@ fn report(arguments: &Arguments) -> Report {
 fn row(bxdf: &dyn Scatterer<f64>, theta: f64, phi: f64) -> Row {
     let wi = direction_from_degrees(theta, phi);
     let lobes = lobe_shares(bxdf, wi, TOLERANCE, MAX_EVALUATIONS);
-    let found = Reflectance::of(&lobes);
+    let found = lobes.as_deref().map(Reflectance::of);
     Row {
         theta,
-        reflection: found.reflection,
-        transmission: found.transmission,
-        absorbed: found.absorbed(),
-        error: found.error,
-        shares: shares(&lobes),
+        reflection: found.map(|found| found.reflection),
+        transmission: found.map(|found| found.transmission),
+        absorbed: found.map(|found| found.absorbed()),
+        error: found.map(|found| found.error),
+        shares: shares(&lobes.unwrap_or_default()),
     }
 }
 
@@ -136,9 +136,14 @@ fn listing(report: &Report) -> String {
             [row.reflection, row.transmission, row.absorbed].map(channels);
         let _ = writeln!(
             text,
-            "{:>7}   {reflection:26}   {transmission:26}   {absorbed:26}   {:.0e}",
-            row.theta, row.error
+            "{:>7}   {reflection:26}   {transmission:26}   {absorbed:26}   {}",
+            row.theta,
+            row.error
+                .map_or(NONE.to_owned(), |error| format!("{error:.0e}"))
         );
+    }
+    if report.rows.iter().any(|row| row.error.is_none()) {
+        text.push_str("\nAt 90 degrees no light arrives, as cos theta is 0: its shares are undefined (try 89.999)\n");
     }
     let word = |is_isotropic| {
         if is_isotropic {
@@ -156,8 +161,14 @@ fn listing(report: &Report) -> String {
     text
 }
 
+/// What stands for a number that there is none of.
+const NONE: &str = "-";
+
 /// Three channels to six decimals; rounding noise about 0 is shown as 0.
-fn channels(rgb: [f64; 3]) -> String {
+fn channels(rgb: Option<[f64; 3]>) -> String {
+    let Some(rgb) = rgb else {
+        return NONE.to_owned();
+    };
     let number = |x: f64| {
         let text = format!("{x:.6}");
         match text.strip_prefix('-') {
@@ -192,6 +203,7 @@ mod tests {
 
     #[test]
     fn rounding_noise_prints_as_zero() {
-        assert_eq!(channels([-1e-17, 0.0, -0.5]), "0.000000 0.000000 -0.500000");
+        let text = channels(Some([-1e-17, 0.0, -0.5]));
+        assert_eq!(text, "0.000000 0.000000 -0.500000");
     }
 }

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use egui::{Align, CentralPanel, Context, Layout, Panel, RawInput, Rect, RichText, Ui, UiBuilder};
+use egui::{
+    Align, CentralPanel, Context, Id, Layout, Panel, RawInput, Rect, RichText, Ui, UiBuilder,
+};
 
 use super::app::left::Left;
 use super::app::{App, Heading};
@@ -13,7 +15,7 @@ use super::views::{self, ViewContext, heading};
 use super::widgets::bottom::{Bar, presented};
 use super::widgets::search::Outcome;
 use super::widgets::shares::Energy;
-use super::widgets::{layouts, options, spotlight, still};
+use super::widgets::{at_right, focus, layouts, menus, options, spotlight, still};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::{SHARES, ViewId};
 use bxdf_study::views::Options;
@@ -142,22 +144,27 @@ impl App {
             }
             let opened = layouts::menu(ui, &mut self.session.views, room);
             self.notice.report(opened);
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                options::display_menu(ui, &mut self.labels);
+            let icons = Id::unique("icons of the top bar");
+            let gap = ui.spacing().item_spacing.x;
+            let free = (ui.available_width() - at_right::width(ui, icons) - 2.0 * gap).max(0.0);
+            let field = free.min(theme::SEARCH_FIELD_WIDTH);
+            ui.add_space(free - field);
+            if commands::SEARCH.field_button(ui, self, field) {
+                wished = Some(&commands::SEARCH);
+            }
+            at_right::show(ui, icons, |ui| {
                 let signs = [
-                    (&commands::PRESENT, "🖵"),
-                    (&commands::HELP, "?"),
-                    (&commands::REDO, "⟳"),
                     (&commands::UNDO, "⟲"),
+                    (&commands::REDO, "⟳"),
+                    (&commands::HELP, "?"),
+                    (&commands::PRESENT, "🖵"),
                 ];
                 for (command, sign) in signs {
                     if command.icon(ui, self, sign) {
                         wished = Some(command);
                     }
                 }
-                if commands::SEARCH.field_button(ui, self) {
-                    wished = Some(&commands::SEARCH);
-                }
+                options::display_menu(ui, &mut self.labels);
             });
         });
         self.run(wished, ui.ctx());
@@ -241,6 +248,8 @@ impl App {
             self.show_first_steps(ctx, views);
         }
         self.said.show(ctx, views);
+        menus::shield(ctx);
+        focus::around(ctx);
     }
 
     /// What the views mark, and how strongly, 0 to 1: what is pointed at, and for a moment what was.
@@ -279,7 +288,7 @@ impl App {
                 let value = read.value(&self.session, &mut self.answers);
                 let bar = Bar {
                     cursor: Some((&read, value)),
-                    energy: Energy::of(&shares, palette),
+                    energy: Energy::of(self.session.held(), shares.as_deref(), palette),
                     progress: self.answers.progress(),
                 };
                 bar.show(ui, &mut self.session);

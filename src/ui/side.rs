@@ -1,13 +1,13 @@
 //! The panel at the side: the materials, the parameters of the selected one, and the picker beside them.
 
-use egui::{Align, Context, Layout, Panel, Rect, RichText, ScrollArea, Ui};
+use egui::{Context, Id, Panel, Rect, RichText, ScrollArea, Ui};
 
 use super::app::App;
 use super::commands;
 use super::theme::{self, Palette};
 use super::widgets::chevron::{self, Points};
 use super::widgets::params::Ties;
-use super::widgets::{badges, components};
+use super::widgets::{at_right, badges, components};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::Session;
 
@@ -61,6 +61,7 @@ impl App {
         let materials = &mut self.session.materials;
         let listed = self.list.show(ui, materials, &mut self.answers, palette);
         let mut wished = self.notice.report(listed).flatten();
+        let below_list = ui.cursor().top();
         ui.separator();
         let before = materials.selected().clone();
         let mut edited = before.clone();
@@ -68,7 +69,8 @@ impl App {
         let area = ScrollArea::vertical()
             .id_salt("parameters")
             .auto_shrink([false, false]);
-        area.show(ui, |ui| {
+        let top = ui.cursor().top();
+        let scrolled = area.show(ui, |ui| {
             // The scroll bar must not lie over the reset buttons. The badges end in words: they need all of the line.
             let width = ui.available_width() - theme::SCROLL_ROOM;
             let title = self.session.materials.title(&before);
@@ -103,6 +105,9 @@ impl App {
             });
             ui.add_space(4.0);
         });
+        let gap = top - below_list + ui.spacing().item_spacing.y;
+        self.list
+            .leave_below(ui.ctx(), gap + scrolled.content_size.y);
         self.take_edited(edited);
         self.run(is_changing.then_some(&commands::CHANGE), ui.ctx());
         if let Some(witness) = wished {
@@ -116,13 +121,13 @@ impl App {
         let mut wished = None;
         ui.horizontal(|ui| {
             ui.label(RichText::new("Your materials").strong());
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                self.fold_button(ui, false);
-                for command in [&commands::PASTE, &commands::ADD] {
+            at_right::show(ui, Id::unique("buttons of the list"), |ui| {
+                for command in [&commands::ADD, &commands::PASTE] {
                     if command.button(ui, self) {
                         wished = Some(command);
                     }
                 }
+                self.fold_button(ui, false);
             });
         });
         self.run(wished, ui.ctx());

@@ -10,6 +10,7 @@ use egui_tiles::{
 };
 
 use super::theme;
+use super::widgets::at_right;
 use bxdf_study::export::{FORMATS, Format};
 use bxdf_study::session::{LEAST_PLACE, Layout, Part, Place, ViewId, Views};
 use bxdf_study::views::{Options, ViewKind};
@@ -195,14 +196,16 @@ impl Panes<'_, '_> {
         let (Some(kind), title) = (self.views.kind(view), self.views.title(view)) else {
             return;
         };
-        if let Some(wish) = export_menu(ui, kind, &title) {
-            self.wished = Some((view, wish));
-        }
         let is_maximised = self.maximised == Some(view);
         let is_several = self.views.ids().len() > 1;
-        if is_several && maximise_button(ui, is_maximised, &title) {
-            self.maximised = (!is_maximised).then_some(view);
-        }
+        at_right::show(ui, ui.scope_id().with("menus of a view"), |ui| {
+            if is_several && maximise_button(ui, is_maximised, &title) {
+                self.maximised = (!is_maximised).then_some(view);
+            }
+            if let Some(wish) = export_menu(ui, kind, &title) {
+                self.wished = Some((view, wish));
+            }
+        });
     }
 
     /// The view that has all the room, below a bar with its name.
@@ -299,6 +302,8 @@ fn maximise_button(ui: &mut Ui, is_maximised: bool, title: &str) -> bool {
 impl Behavior<ViewId> for Panes<'_, '_> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, id: &mut ViewId) -> UiResponse {
         if self.views.kind(*id).is_some() {
+            // What a view draws beyond its tile would lie below what its neighbour draws.
+            ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
             egui::Frame::NONE
                 .inner_margin(theme::TILE_MARGIN)
                 .show(ui, |ui| (self.show_view)(ui, *id));

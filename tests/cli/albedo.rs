@@ -57,6 +57,16 @@ fn albedo_tells_sides_azimuths_and_anisotropy_apart() {
     assert_eq!(report["isotropic"]["measured"], false);
     let text = done(&["albedo", "lambertian_reflection", "--theta", "10"], "");
     assert!(text.contains("0.800000 0.800000 0.800000"), "{text}");
+    // No light arrives in the surface plane: no share is 0, or 1, of nothing.
+    let at_horizon = ["albedo", "gold", "--theta", "90,89.999"];
+    let text = done(&at_horizon, "");
+    let row = text.lines().find(|line| line.starts_with("     90 "));
+    let words: Vec<&str> = row.unwrap().split_whitespace().collect();
+    assert_eq!(words, ["90", "-", "-", "-", "-"]);
+    assert!(text.contains("At 90 degrees no light arrives"), "{text}");
+    let report = json(&done(&[&at_horizon[..], &["--json"]].concat(), ""));
+    assert!(report["rows"][0]["absorbed"].is_null());
+    assert!(report["rows"][1]["reflection"][0].as_f64().unwrap() > 0.99);
     for (option, value, expected) in [
         ("--theta", "10,190", "theta '190': expected 0 to 180"),
         ("--theta", "", "theta ''"),

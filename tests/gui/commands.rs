@@ -53,10 +53,10 @@ fn what_a_single_key_did_is_said_for_two_seconds() {
         (Key::L, "Logarithmic radius: off"),
         (Key::H, "Fixed: viewer"),
         (Key::C, "Times cos θ: on"),
-        (Key::A, "Angles of the held direction: on"),
+        (Key::A, "Angles of the fixed direction: on"),
         (Key::S, "Shown alone: Gold"),
         (Key::R, "R, G and B: on"),
-        (Key::S, "All materials are shown but those hidden"),
+        (Key::S, "Shown again: every material with a tick"),
         (Key::R, "Not possible now: Luminance, or R, G and B"),
     ] {
         press(&mut harness, Modifiers::NONE, key);

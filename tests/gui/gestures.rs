@@ -296,3 +296,51 @@ fn what_is_typed_right_behind_a_key_goes_to_the_search() {
     let text = harness.get_by_label("Search models").value();
     assert_eq!(text.as_deref(), Some("hal"));
 }
+
+/// The tooltip of the light's handle in the polar plot.
+fn has_tooltip(harness: &Harness<'_, App>) -> bool {
+    let mut all = harness.query_all_by_label_contains("The light. Drag it");
+    all.next().is_some()
+}
+
+/// Longer than a tooltip waits, in frames of a quarter of a second.
+const REST: usize = 8;
+
+#[test]
+fn a_tooltip_waits_until_the_pointer_comes_again_after_a_drag() {
+    let mut harness = window("gold");
+    let light = |harness: &Harness<'_, App>| {
+        let handle = harness.get_by_label("Light in the polar plot");
+        handle.rect().center()
+    };
+    let from = light(&harness);
+    harness.hover_at(from);
+    harness.run_steps(REST);
+    assert!(has_tooltip(&harness), "who rests there is told");
+    harness.drag_at(from);
+    harness.run_steps(2);
+    let to = from + vec2(30.0, -20.0);
+    harness.hover_at(to);
+    harness.run_steps(REST);
+    assert!(!has_tooltip(&harness), "it is dragged");
+    harness.drop_at(to);
+    harness.run_steps(REST);
+    assert!(!has_tooltip(&harness), "the drag has ended there");
+    harness.hover_at(to + vec2(60.0, 60.0));
+    harness.run_steps(2);
+    let at = light(&harness);
+    harness.hover_at(at);
+    harness.run_steps(REST);
+    assert!(has_tooltip(&harness), "who comes again is told");
+}
+
+#[test]
+fn plots_have_no_tooltips_while_they_are_presented() {
+    let mut harness = window("gold");
+    harness.key_press(Key::F5);
+    harness.run();
+    let at = harness.get_by_label("Light in the polar plot").rect();
+    harness.hover_at(at.center());
+    harness.run_steps(REST);
+    assert!(!has_tooltip(&harness));
+}

@@ -25,6 +25,7 @@ mod instances;
 mod integral;
 mod interaction;
 mod keeping;
+mod keyboard;
 mod lessons;
 mod list;
 mod lobe;

@@ -204,7 +204,7 @@ fn a_field_is_dragged_stepped_and_reached_by_tab() {
     assert_eq!(harness.state().session.theta_deg, 33.25);
     let field = harness.get_by_role_and_label(Role::SpinButton, "θ from n");
     field.click();
-    harness.step();
+    harness.run();
     for _ in 0..3 {
         press(&mut harness, Key::ArrowUp);
     }

@@ -357,7 +357,7 @@ fn every_number_of_the_panels_is_typed() {
         let palette = Palette::of(Theme::Dark);
         let bar = Bar {
             cursor: None,
-            energy: Energy::of(&[], &palette),
+            energy: Energy::of(glam::DVec3::Z, Some(&[]), &palette),
             progress: Progress::Complete(None),
         };
         bar.show(ui, session);

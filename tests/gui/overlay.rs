@@ -117,3 +117,15 @@ fn every_material_may_be_hidden() {
     // The shares are those of the selected one, whichever are seen.
     assert!(harness.query_by_label_contains("reflected ").is_some());
 }
+
+#[test]
+fn the_list_shows_as_many_rows_as_there_is_room_for() {
+    let mut harness = window_of(&super::EIGHT);
+    // How high the parameters are is known from the second frame on.
+    harness.run();
+    let parameters = harness.get_by_label("Change…").rect().top();
+    let rows = harness.query_all_by_label_contains("Menu of ");
+    let lowest: Vec<f32> = rows.map(|row| row.rect().bottom()).collect();
+    assert_eq!(lowest.len(), super::EIGHT.len());
+    assert!(lowest.iter().all(|bottom| *bottom < parameters));
+}

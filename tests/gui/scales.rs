@@ -60,6 +60,20 @@ fn the_four_kinds_stand_side_by_side_after_one_click() {
         let scale = harness.get_by_label(&name);
         assert_eq!(scale.value().as_deref(), Some("Each to its peak"), "{view}");
     }
+    for kind in [
+        "Diffuse",
+        "Glossy specular",
+        "Perfect specular",
+        "Retro-reflective",
+    ] {
+        // In either view, with the scale of what has one.
+        assert_eq!(painted(&harness, kind).len(), 2, "{kind}");
+    }
+    let all = painted(&harness, "").into_iter();
+    let scales = all.filter(|text| text.contains("own scale, peak f "));
+    assert_eq!(scales.count(), 6, "a mirror has no f");
+    let note = "The four kinds stand in place of your materials: Undo (Ctrl+Z) brings those back";
+    assert!(harness.query_by_label(note).is_some());
     // Each has a light to be dragged, and all follow.
     let lights = harness.query_all_by_label("Light in the 3D lobe");
     assert_eq!(lights.count(), 4);
@@ -212,15 +226,16 @@ fn a_small_lobe_is_told_of_and_shown_to_its_peak() {
     assert_eq!(painted(&harness, "Lambertian reflection is ").len(), 1);
     // On its own scale it is as long as the other one.
     choose(&mut harness, "Scale of 3D lobe", "Each to its peak");
-    assert_eq!(painted(&harness, "radius = f over its peak").len(), 1);
+    assert_eq!(
+        painted(&harness, "each its own scale: radius = f over its peak").len(),
+        1
+    );
     choose(&mut harness, "Arrangement of 3D lobe", "Side by side");
     let lobe: lobe3d::Options = session(&harness).views.options();
     assert_eq!(lobe.arrangement, Arrangement::SideBySide);
-    assert_eq!(
-        painted(&harness, "radius = f").len(),
-        2,
-        "each says its own"
-    );
+    let own = painted(&harness, "").into_iter();
+    let own = own.filter(|text| text.contains("own scale, peak f "));
+    assert_eq!(own.count(), 2, "each says its own");
 }
 
 #[test]
@@ -341,4 +356,20 @@ fn the_first_steps_go_on_by_doing_and_come_once() {
     next.key_press_modifiers(Modifiers::SHIFT, Key::F1);
     next.run();
     assert!(next.query_by_label("1 of 5").is_some(), "brought back");
+}
+
+#[test]
+fn the_offer_of_other_scales_stands_apart_from_the_reset() {
+    let mut harness = window_of(&["rough_conductor:alpha=0.02", "lambertian_reflection"]);
+    let offered = "% of the scale";
+    assert!(harness.query_all_by_label_contains(offered).count() > 0);
+    harness.state_mut().session.camera.orbit(vec2(40.0, 20.0));
+    harness.run();
+    let reset = harness.get_by_label("Reset view").rect();
+    let offers = harness.query_all_by_label_contains(offered);
+    let offers: Vec<egui::Rect> = offers.map(|offer| offer.rect()).collect();
+    assert!(!offers.is_empty());
+    for offer in offers {
+        assert!(!offer.intersects(reset), "{offer} {reset}");
+    }
 }

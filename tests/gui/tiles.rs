@@ -1,13 +1,13 @@
 //! The views as tiles, and the one cursor, by accessible label.
 
-use brdf_explorer::study::session::{Place, Session};
+use brdf_explorer::study::session::{Place, READY_LAYOUTS, Session};
 use brdf_explorer::ui::app::App;
-use egui::{Role, vec2};
+use egui::{Rect, Role, Shape, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::figures::texts_of;
-use super::{window, window_of};
+use super::{picture, session, window, window_of};
 
 fn layout(harness: &Harness<'_, App>) -> Vec<&'static str> {
     let views = &harness.state().session.views;
@@ -205,5 +205,72 @@ fn the_inspector_has_columns_of_the_deltas_that_there_are() {
         let found = ["Delta, reflected", "Delta, transmitted"]
             .map(|name| harness.query_by_label(name).is_some());
         assert_eq!(found, sides, "{material}");
+    }
+}
+
+/// The window of 1024 by 640 with a layout that is made for its panel folded, and the panel unfolded.
+fn crowded(layout: &str) -> Harness<'static, App> {
+    let mut shown = session(&["rough_conductor"]);
+    let ready = READY_LAYOUTS.iter().find(|ready| ready.name == layout);
+    shown.views.show_ready(ready.unwrap(), [970.0, 560.0]);
+    let mut harness = picture(shown, None, [1024, 640], Theme::Dark).controls();
+    harness.get_by_label("Fold the side panel").click();
+    harness.run();
+    assert!(harness.query_by_label("Your materials").is_some());
+    harness
+}
+
+/// Where the texts are seen that contain this.
+fn seen(harness: &Harness<'_, App>, part: &str) -> Vec<Rect> {
+    fn texts(shape: &Shape, clip: Rect, part: &str, all: &mut Vec<Rect>) {
+        match shape {
+            Shape::Text(text) if text.galley.text().contains(part) => {
+                let rect = text.visual_bounding_rect();
+                assert!(clip.contains_rect(rect), "{rect} is cut at {clip}");
+                all.push(rect);
+            }
+            Shape::Vec(shapes) => {
+                for shape in shapes {
+                    texts(shape, clip, part, all);
+                }
+            }
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    for clipped in &harness.output().shapes {
+        texts(&clipped.shape, clipped.clip_rect, part, &mut all);
+    }
+    all
+}
+
+#[test]
+fn what_the_pointer_reads_stays_in_its_tile() {
+    let mut harness = crowded("Reflectance");
+    let neighbour = harness
+        .get_by_role_and_label(Role::ComboBox, "Into")
+        .rect()
+        .left();
+    let pictures = harness.query_all_by_role_and_label(Role::Canvas, "Rough conductor");
+    let pictures: Vec<Rect> = pictures.map(|picture| picture.rect()).collect();
+    // The lit sphere is on the other side.
+    let mut pictures = pictures.into_iter();
+    let dome = pictures.find(|rect| rect.right() < neighbour).unwrap();
+    for share in [0.35, 0.5, 0.65] {
+        let at = dome.min + dome.size() * vec2(share, 0.3);
+        harness.hover_at(at);
+        harness.run();
+        for note in seen(&harness, " sr = ") {
+            assert!(note.right() < neighbour, "{note} {neighbour}");
+        }
+    }
+    assert!(!seen(&harness, " sr = ").is_empty());
+}
+
+#[test]
+fn a_plot_that_nobody_has_moved_is_not_to_be_reset() {
+    for layout in ["Numerics", "Reflectance", "Look", "Compare"] {
+        let harness = crowded(layout);
+        assert!(harness.query_by_label("Reset view").is_none(), "{layout}");
     }
 }

@@ -48,7 +48,7 @@ impl Edit {
         }
         let several = Self {
             area: Area::Shown,
-            what: "the session as a whole".to_owned(),
+            what: "several changes at once".to_owned(),
         };
         match changes.len() {
             0 => Self {
@@ -377,6 +377,6 @@ mod tests {
             s.set_theta_deg(20.0);
             s.with_cosine = true;
         };
-        assert_eq!(said(all), "Undo: the session as a whole");
+        assert_eq!(said(all), "Undo: several changes at once");
     }
 }

@@ -4,6 +4,8 @@ use super::materials::Materials;
 use super::{READY_LAYOUTS, Session};
 use crate::views::{Arrangement, ScaleChoice};
 use bxdf::material::library;
+use bxdf::math::frame;
+use glam::DVec3;
 
 /// A named material of each category: diffuse, glossy, perfect specular, retro-reflective.
 const OF_EACH_KIND: [&str; 4] = ["chalk", "brass", "mirror", "road_sign"];
@@ -33,6 +35,24 @@ impl Session {
             .each_scale(|scale| scale.choose(ScaleChoice::EachToPeak));
         self.views
             .each_arrangement(|arrangement| *arrangement = Arrangement::SideBySide);
+        self.put_other(self.beside_mirror());
+    }
+}
+
+/// How near to the mirror direction the viewer would hide what leaves along it, in degrees.
+const HIDING_DEG: f64 = 15.0;
+
+/// From n, where the viewer stands out of the way, in degrees: else at the second of them.
+const APART_DEG: [f64; 2] = [25.0, 60.0];
+
+impl Session {
+    /// A direction to the other side of n than the held one, away from where a mirror sends it.
+    fn beside_mirror(&self) -> DVec3 {
+        let theta_deg = self.theta_deg.min(180.0 - self.theta_deg);
+        let is_apart = |deg: &f64| (deg - theta_deg).abs() > HIDING_DEG;
+        let [steep, flat] = APART_DEG;
+        let apart = if is_apart(&steep) { steep } else { flat };
+        frame::direction_from_degrees(apart, self.phi_deg + 180.0)
     }
 }
 
@@ -59,6 +79,14 @@ mod tests {
             kinds.extend(first.map(|lobe| format!("{:?}", lobe.category)));
         }
         assert_eq!(kinds.len(), OF_EACH_KIND.len(), "{kinds:?}");
+        for theta_deg in [0.0, 20.0, 50.0, 85.0] {
+            session.theta_deg = theta_deg;
+            session.show_four_kinds([1280.0, 720.0]);
+            let held = session.held();
+            let mirror = DVec3::new(-held.x, -held.y, held.z);
+            let angle = mirror.angle_between(session.other()).to_degrees();
+            assert!(angle > HIDING_DEG - 0.1, "{theta_deg}: {angle}");
+        }
         let text = session.to_toml().unwrap();
         assert_eq!(Session::from_toml(&text, "s").unwrap(), session);
     }

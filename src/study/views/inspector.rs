@@ -9,7 +9,7 @@ use crate::session::Session;
 pub(super) const KIND: ViewKind = ViewKind {
     id: "inspector",
     title: "Inspector",
-    what_you_see: "Every material's numbers at the held direction and the one last pointed at \
+    what_you_see: "Every material's numbers at the fixed direction and the one last pointed at \
         in any view; at first the mirror direction",
     says_hidden: false,
     deltas: Deltas::Marked,

@@ -15,8 +15,8 @@ use bxdf_lab::analysis::sampling::{FIRST_SEED, Part, Request, Study, WarpRequest
 pub(super) const KIND: ViewKind = ViewKind {
     id: "sampling",
     title: "Sampling",
-    what_you_see: "Where the sampler sends directions for the held one: good samplers follow \
-        f cos and weigh all samples alike",
+    what_you_see: "The directions that the sampler draws for the fixed light or viewer: a good one \
+        follows f cos and weighs all samples alike",
     says_hidden: true,
     deltas: Deltas::Marked,
     with_cosine: false,

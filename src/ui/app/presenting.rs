@@ -4,6 +4,7 @@ use egui::{Context, Key, Modifiers, ViewportCommand};
 
 use super::App;
 use crate::theme;
+use crate::widgets::hint;
 
 impl App {
     /// Whether the views are shown alone, for a class.
@@ -25,6 +26,7 @@ impl App {
 
     /// Keeps labels and strokes as large as the screen allows, and ends with Escape.
     pub(crate) fn present(&mut self, ctx: &Context) {
+        hint::present(ctx, self.is_presenting());
         let Some(before) = self.zoom_before else {
             return;
         };

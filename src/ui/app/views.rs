@@ -1,6 +1,9 @@
 //! What is done to one view.
 
+use egui::Context;
+
 use super::App;
+use bxdf_lab::analysis::Hold;
 use bxdf_study::session::ViewId;
 use bxdf_study::views::{Options, ViewKind};
 
@@ -17,6 +20,21 @@ impl App {
     #[must_use]
     pub fn room_of_views(&self) -> [f32; 2] {
         self.room_of_views.size().into()
+    }
+
+    /// Shows the four kinds of reflection, and says what has become of the materials.
+    pub fn show_four_kinds(&mut self, ctx: &Context) {
+        let room = self.room_of_views();
+        self.session.show_four_kinds(room);
+        let words =
+            "The four kinds stand in place of your materials: Undo (Ctrl+Z) brings those back";
+        self.say(words.to_owned(), ctx);
+    }
+
+    /// Gives the light or the viewer the focus, in the view that commands are about, or else in any that shows it.
+    pub fn focus_direction(&mut self, of: Hold, ctx: &Context) {
+        self.state.wish_focus(of, self.current_view());
+        ctx.request_repaint();
     }
 
     /// Adds a view of this kind where there is most room.

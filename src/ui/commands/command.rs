@@ -3,7 +3,6 @@
 use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Ui, vec2};
 
 use crate::app::App;
-use crate::theme;
 
 /// What a command is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,16 +155,19 @@ impl Command {
         self.show(ui, app, Button::new(self.title))
     }
 
-    /// A button for it that looks like the field that it opens. Returns whether it is clicked.
-    pub fn field_button(&self, ui: &mut Ui, app: &App) -> bool {
-        let width = ui.available_width().min(theme::SEARCH_FIELD_WIDTH);
+    /// A button for it that looks like the field that it opens, of this width in points. Returns whether it is clicked.
+    pub fn field_button(&self, ui: &mut Ui, app: &App, width: f32) -> bool {
         let keys = self.first_keys(ui.ctx()).unwrap_or_default();
         let button = Button::new(self.title)
             .shortcut_text(keys)
             .truncate()
             .min_size(vec2(width, 0.0))
             .fill(ui.visuals().extreme_bg_color);
-        self.show(ui, app, button)
+        ui.scope(|ui| {
+            ui.set_max_width(width);
+            self.show(ui, app, button)
+        })
+        .inner
     }
 
     /// A button for it that shows `icon` in place of its name. Returns whether it is clicked.

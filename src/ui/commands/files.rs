@@ -100,7 +100,7 @@ pub static FIGURE: Command = Command {
         Group::File,
         [
             "figure",
-            "Figure…",
+            "Export figure…",
             "Export the view last clicked as a figure for a slide, a column of print or a page of the web",
         ],
         &[key(CTRL, Key::E)],

@@ -3,6 +3,7 @@
 use egui::Key;
 
 use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, SHIFT, command, key, switched};
+use super::directions::{LIGHT, VIEWER};
 use super::edits::{PIN, REDO, UNDO};
 use super::files::{
     COPY_PICTURE, COPY_SESSION, FIGURE, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA,
@@ -80,7 +81,7 @@ pub static SOLO: Command = Command {
         let shown = materials.solo().and_then(|id| materials.get(id));
         let title = shown.map(|entry| materials.title(entry));
         title.map_or_else(
-            || "All materials are shown but those hidden".to_owned(),
+            || "Shown again: every material with a tick".to_owned(),
             |title| format!("Shown alone: {title}"),
         )
     }),
@@ -176,10 +177,10 @@ pub static FOUR_KINDS: Command = command(
     [
         "four_kinds",
         "Four kinds",
-        "Show diffuse, glossy, perfect specular and retro-reflective reflection side by side, in place of the materials there are",
+        "Show diffuse, glossy, perfect specular and retro-reflective reflection side by side, in place of your materials, which undo brings back",
     ],
     &[key(CTRL, Key::Num4)],
-    |app, _| app.session.show_four_kinds(app.room_of_views()),
+    App::show_four_kinds,
 );
 
 /// Multiplies by the cosine, or does not.
@@ -225,7 +226,7 @@ pub static ANGLES: Command = Command {
         Group::View,
         [
             "angles",
-            "Angles of the held direction",
+            "Angles of the fixed direction",
             "Show or hide theta, phi and the projection in the 3D lobe",
         ],
         &[key(PLAIN, Key::A)],
@@ -338,7 +339,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 37] = [
+pub static COMMANDS: [&Command; 39] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -366,6 +367,8 @@ pub static COMMANDS: [&Command; 37] = [
     &ANGLES,
     &DUPLICATE_VIEW,
     &OWN_SECTION,
+    &LIGHT,
+    &VIEWER,
     &PRESENT,
     &LABELS,
     &FOLD,

@@ -1,6 +1,7 @@
 //! The commands: what each is, and how it is run, by buttons and by keys.
 
 mod command;
+mod directions;
 mod edits;
 mod files;
 pub mod help;

@@ -71,6 +71,20 @@ pub struct ViewState {
     pub(crate) stopwatch: Stopwatch,
     /// A file that a view asks to be written.
     pub(super) wished_file: Option<(ViewId, Format)>,
+    /// The handle that is to have the focus.
+    wished_focus: Option<WishedFocus>,
+}
+
+/// For how many frames a focus is wished: a command that runs between two frames has a whole one for its view.
+const OLDEST_WISH: u8 = 2;
+
+/// A handle that is to have the focus.
+#[derive(Clone, Copy)]
+struct WishedFocus {
+    of: Hold,
+    view: ViewId,
+    /// The frames for which it has been wished: first it is that of its view, then any.
+    age: u8,
 }
 
 /// The lines of a map in a scale.
@@ -292,6 +306,10 @@ impl ViewState {
         self.contours
             .retain(|(view, entry), _| is_open(view) && session.materials.get(*entry).is_some());
         self.own.retain(|(view, _), _| is_open(view));
+        self.wished_focus = self.wished_focus.and_then(|wish| {
+            let age = wish.age + 1;
+            (age <= OLDEST_WISH).then_some(WishedFocus { age, ..wish })
+        });
         if !std::mem::take(&mut self.is_dragging) {
             self.kept_lower_half = None;
         }
@@ -321,6 +339,20 @@ impl ViewState {
     /// The file that a view asks to be written; told once.
     pub fn take_wished_file(&mut self) -> Option<(ViewId, Format)> {
         self.wished_file.take()
+    }
+
+    /// Wishes the focus for the handle of the light or the viewer: in this view, or else in any that has one.
+    pub(crate) fn wish_focus(&mut self, of: Hold, view: ViewId) {
+        let age = 0;
+        self.wished_focus = Some(WishedFocus { of, view, age });
+    }
+
+    /// Whether the handle of the light or the viewer in this view is to have the focus; told once.
+    pub(super) fn take_focus(&mut self, of: Hold, view: ViewId) -> bool {
+        let is_meant = |wish: &mut WishedFocus| {
+            wish.of == of && (wish.view == view || wish.age == OLDEST_WISH)
+        };
+        self.wished_focus.take_if(is_meant).is_some()
     }
 
     /// The contours of a map in a scale, computed anew only where one of them is another one; those before where they have to

@@ -4,6 +4,7 @@ use egui::{Align2, Painter, Pos2, Rect, Ui};
 use glam::DVec3;
 
 use super::context::{Named, ViewContext};
+use crate::widgets::directions;
 use crate::widgets::draw;
 use crate::widgets::handle::{self, Handle};
 use crate::widgets::labels::{Labels, Reach};
@@ -14,8 +15,8 @@ use bxdf_lab::analysis::half_difference::Spherical;
 use bxdf_study::format;
 
 /// What the arrow keys do where directions have both of their angles.
-pub(super) const KEYS: &str = "Drag it, or press Tab until it has the focus: Up and Down change θ by 1°, Left and Right \
-    change φ; with Shift by 0.1°";
+pub(super) const KEYS: &str =
+    "Up and Down change θ by 1°, Left and Right change φ; with Shift by 0.1°";
 
 /// Room around a name on its patch, in points.
 const PATCH: egui::Vec2 = egui::vec2(6.0, 2.0);
@@ -23,13 +24,20 @@ const PATCH: egui::Vec2 = egui::vec2(6.0, 2.0);
 /// The handle of `one` at `middle`, known by `name` and seen inside of `room`; `keys`: what the arrow keys do to it.
 pub(super) fn show<O>(
     ui: &Ui,
-    cx: &ViewContext<'_, O>,
+    cx: &mut ViewContext<'_, O>,
     one: &Named,
     middle: Pos2,
     (name, room, keys): (&'static str, Rect, &str),
 ) -> Handle {
-    let hint = format!("The {}. {keys}", one.name);
+    let key = directions::key_of(one.of).name();
+    let hint = format!(
+        "The {}. Drag it, or press {key} and move it by keys: {keys}",
+        one.name
+    );
     let named = (ui.scope_id().with(name), name, room);
+    if cx.state.take_focus(one.of, cx.view) {
+        ui.memory_mut(|memory| memory.request_focus(named.0));
+    }
     let handle = handle::show(ui, middle, named, &hint, (one.color, cx.palette));
     handle.says(angles(one.direction));
     let thing = one.thing();

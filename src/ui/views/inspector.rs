@@ -13,13 +13,18 @@ use bxdf::Side;
 use bxdf_lab::analysis::half_difference::{HalfDifference, Spherical, half_difference};
 use bxdf_lab::analysis::hemisphere::Quantity;
 use bxdf_lab::analysis::inspector::{DeltaReading, Reading, deltas};
+use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_lab::analysis::{Channel, Hold};
 use bxdf_study::export::names;
 use bxdf_study::format;
 use bxdf_study::views::inspector::Options;
 
 /// The columns of numbers: name and meaning.
-const COLUMNS: [(&str, &str); 12] = [
+const COLUMNS: [(&str, &str); 13] = [
+    (
+        "f luminance",
+        "The value f as the other views and the bar at the bottom have it: R, G and B weighted as the eye does, in 1/sr",
+    ),
     ("f R", "The value f in the red channel, in 1/sr"),
     ("f G", "The value f in the green channel, in 1/sr"),
     ("f B", "The value f in the blue channel, in 1/sr"),
@@ -62,6 +67,8 @@ const DELTAS: [(&str, &str); 2] = [
 struct Report {
     wo: DVec3,
     wi: DVec3,
+    /// Whichever of the two is not held.
+    free: DVec3,
     rows: Vec<Row>,
 }
 
@@ -95,6 +102,9 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
                 ui.ctx().copy_text(report.csv());
             }
         });
+        if !has_flux(report.free) {
+            ui.weak("In the surface plane, at θ = 90°, no light crosses and f is set to 0; plots show its limit there");
+        }
         table(ui, &report);
     });
 }
@@ -122,6 +132,7 @@ fn report(cx: &mut ViewContext<'_, Options>) -> Report {
     Report {
         wo,
         wi,
+        free,
         rows: session.materials.shown().map(row).collect(),
     }
 }
@@ -201,7 +212,9 @@ fn csv_columns() -> Vec<String> {
         shares.into_iter().chain(place)
     });
     let first = ["material".to_owned()].into_iter().chain(angles);
-    let values = of(Quantity::F).into_iter().chain(of(Quantity::FCos));
+    let luminance = names::column("f_luminance", Quantity::F.unit());
+    let values = [luminance].into_iter();
+    let values = values.chain(of(Quantity::F)).chain(of(Quantity::FCos));
     let factors = densities.into_iter().chain(["g".to_owned()]).chain(fresnel);
     first.chain(values).chain(factors).chain(deltas).collect()
 }
@@ -238,9 +251,9 @@ fn numbers(reading: &Reading) -> impl Iterator<Item = Option<f64>> {
         [m.d, m.g, r, g, b]
     });
     let factors = factors.map_or([None; 5], |factors| factors.map(Some));
-    let own = reading
-        .f
+    let own = [Channel::Luminance.of(reading.f)]
         .into_iter()
+        .chain(reading.f)
         .chain(reading.f_cos)
         .chain([reading.pdf]);
     own.map(Some).chain(factors)

@@ -1,8 +1,9 @@
 //! The views: one file each, and the one list of them.
 
-use egui::Ui;
+use egui::{Label, RichText, Ui};
 
 use crate::widgets::choice;
+use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_study::session::Session;
 use bxdf_study::views::{OWN_SECTION, Options};
 pub use context::{ViewContext, ViewState};
@@ -22,6 +23,7 @@ mod polar;
 mod reflectance;
 mod sampling;
 mod settings;
+mod side_by_side;
 mod slice;
 mod sphere;
 mod stability;
@@ -71,10 +73,19 @@ fn set_own_section(ui: &mut Ui, session: &Session, options: &mut Options) {
     }
 }
 
-/// Where the held direction lies below opaque materials and the view is of it: says so, and offers the way back.
+/// Where the held direction lies in the surface plane, or below opaque materials, and the view is of it: says so, and offers the
+/// way back from below.
 fn warn_of_held(ui: &mut Ui, cx: &mut ViewContext<'_>, options: &Options) {
     let is_picture = cx.state.is_picture;
     let session = &mut *cx.session;
+    if !has_flux(session.held()) && options.is_of_held() {
+        let text = format!(
+            "The {} is in the surface plane: at θ = 90° no light arrives (cos θ = 0), and f is set to 0",
+            session.held_name()
+        );
+        ui.add(Label::new(RichText::new(text).weak()).wrap());
+        return;
+    }
     let is_told = session.is_held_below() && options.is_of_held();
     if !is_told {
         return;

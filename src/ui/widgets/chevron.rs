@@ -2,6 +2,7 @@
 
 use egui::{Color32, Painter, Rect, Response, Role, Sense, Shape, Ui, WidgetInfo, vec2};
 
+use super::focus;
 use crate::theme;
 
 /// Where a chevron points.
@@ -37,7 +38,7 @@ pub fn button(ui: &mut Ui, points: Points, is_open: bool, name: &str, hint: &str
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, name));
     let visuals = ui.style().interact(&response);
     paint(ui.painter(), rect, points, visuals.text_color());
-    focus_ring(ui, &response);
+    focus::ring(ui, &response);
     response.on_hover_text(hint)
 }
 
@@ -66,13 +67,4 @@ fn paint(painter: &Painter, rect: Rect, points: Points, color: Color32) {
     let tip = rect.center() + 0.5 * along;
     let arms = vec![tip - along - across, tip, tip - along + across];
     painter.add(Shape::line(arms, (STROKE, color)));
-}
-
-/// What shows that the keyboard is at something that is painted by hand.
-pub(super) fn focus_ring(ui: &Ui, response: &Response) {
-    if response.has_focus() {
-        let stroke = ui.visuals().selection.stroke;
-        let kind = egui::StrokeKind::Inside;
-        ui.painter().rect_stroke(response.rect, 3.0, stroke, kind);
-    }
 }

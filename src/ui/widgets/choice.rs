@@ -78,8 +78,18 @@ pub fn choice<T: Copy + PartialEq>(
 
 /// An angle in degrees, with its name before it.
 pub fn angle(ui: &mut Ui, (name, hint): (&str, &str), value: &mut f64, spec: &NumberSpec) {
+    number(ui, (name, hint), &Number::new(name, *spec), value);
+}
+
+/// A number with its name before it, on one line wherever the line ends.
+pub fn number(ui: &mut Ui, (name, hint): (&str, &str), number: &Number<'_>, value: &mut f64) {
+    let spacing = ui.spacing();
+    let room = 2.0 * (spacing.button_padding.x + spacing.item_spacing.x);
+    let digits = width_of(ui, &number.shown(*value), &egui::TextStyle::Button);
+    let field = digits.max(theme::NUMBER_WIDTH);
+    let label = width_of(ui, name, &egui::TextStyle::Body);
+    keep_together(ui, label + field + room);
     ui.label(name).on_hover_text(hint);
-    let number = Number::new(name, *spec);
     number.field(ui, value).on_hover_text(hint).explain(ui);
 }
 

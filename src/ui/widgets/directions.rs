@@ -1,7 +1,8 @@
 //! The controls of the fixed direction and of the turn of the surface.
 
-use egui::Ui;
+use egui::{Key, TextStyle, Ui};
 
+use crate::widgets::choice::width_of;
 use crate::widgets::hint::at_number;
 use crate::widgets::number::Number;
 use bxdf_lab::analysis::Hold;
@@ -82,11 +83,20 @@ impl Angle {
     }
 }
 
+/// The key that gives the light or the viewer the focus: I for what comes in (wi), O for what goes out (wo).
+#[must_use]
+pub const fn key_of(direction: Hold) -> Key {
+    match direction {
+        Hold::Light => Key::I,
+        Hold::Viewer => Key::O,
+    }
+}
+
 /// The word before [`fixed`].
-pub const FIXED: &str = "Fixed:";
+const FIXED: &str = "Fixed:";
 
 /// The two directions that may be fixed, and what is shown then.
-pub const HELD: [(Hold, &str, &str); 2] = [
+const HELD: [(Hold, &str, &str); 2] = [
     (
         Hold::Light,
         "Light",
@@ -99,13 +109,22 @@ pub const HELD: [(Hold, &str, &str); 2] = [
     ),
 ];
 
+/// The width of [`fixed`], in points.
+#[must_use]
+pub fn fixed_width(ui: &Ui) -> f32 {
+    let spacing = ui.spacing();
+    let width = |text| width_of(ui, text, &TextStyle::Body) + spacing.item_spacing.x;
+    let button = spacing.icon_width + spacing.icon_spacing;
+    let names = HELD.map(|(_, name, _)| width(name) + button);
+    width(FIXED) + names.iter().sum::<f32>()
+}
+
 /// Which direction is fixed.
 pub fn fixed(ui: &mut Ui, session: &mut Session) {
     ui.label(FIXED);
     let mut chosen = session.hold;
     for (hold, name, hint) in HELD {
-        ui.selectable_value(&mut chosen, hold, name)
-            .on_hover_text(hint);
+        ui.radio_value(&mut chosen, hold, name).on_hover_text(hint);
     }
     session.set_hold(chosen);
 }

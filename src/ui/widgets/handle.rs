@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::steps::{self, Steps};
-use super::{hint, still};
+use super::{focus, hint, still};
 use crate::theme::{HANDLE_RADIUS, HANDLE_REACH, Palette};
 
 /// The radius of what stands for it in a picture, where nobody can take it, in points.
@@ -83,7 +83,7 @@ pub fn room(middle: Pos2) -> Rect {
 }
 
 /// A handle at `middle`, with its name for tests and screen readers, and a tooltip that says what it does. It is there only inside
-/// of `room`, but goes on while it is dragged. With the focus it takes the arrow keys.
+/// of `room`, but goes on while it is dragged. With the focus, which a press gives it, it takes the arrow keys.
 #[must_use]
 pub fn show(
     ui: &Ui,
@@ -120,7 +120,11 @@ pub fn show(
     let radius = HANDLE_RADIUS + if is_active { 2.0 } else { 0.0 };
     ui.painter()
         .circle(middle, radius, color, (2.0, palette.background));
+    if response.drag_started() {
+        response.request_focus();
+    }
     if response.has_focus() {
+        focus::is_shown(ui.ctx());
         let ring = ui.visuals().selection.stroke;
         ui.painter().circle_stroke(middle, radius + FOCUS_GAP, ring);
     }

@@ -7,7 +7,7 @@ use egui::{
     pos2, vec2,
 };
 
-use super::{draw, still};
+use super::{draw, hint, still};
 use crate::theme::{self, Dash, Palette};
 use bxdf_study::session::{EntryId, MaterialEntry, Session};
 
@@ -78,11 +78,11 @@ pub fn show(
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &name));
         let is_strong = is_selected || response.hovered();
         draw_item(ui, rect, swatch, item, is_strong, palette);
-        let hint = format!(
+        let words = format!(
             "{}\nClick to select it: the panel at the side edits it",
             item.title
         );
-        if response.on_hover_text(hint).clicked() {
+        if hint::in_plot(response, &words).clicked() {
             chosen = Some(item.entry.id());
         }
     }

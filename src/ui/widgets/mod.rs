@@ -1,5 +1,6 @@
 //! Parts of the window that are no view.
 
+pub mod at_right;
 pub mod badges;
 pub mod bottom;
 pub mod category;
@@ -13,6 +14,7 @@ pub mod directions;
 pub mod draw;
 pub mod figure_dialog;
 pub mod first_steps;
+pub mod focus;
 pub mod formula;
 pub mod handle;
 pub mod hint;
@@ -22,6 +24,7 @@ pub mod layouts;
 pub mod legend;
 pub mod lesson;
 pub mod materials;
+pub mod menus;
 pub mod notice;
 pub mod number;
 pub mod options;

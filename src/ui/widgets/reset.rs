@@ -1,6 +1,6 @@
 //! The button that puts back a view which was panned, zoomed or turned.
 
-use egui::{Align2, Button, Id, Rect, RichText, Sense, Ui, UiBuilder};
+use egui::{Align2, Button, Id, Rect, RichText, Sense, TextWrapMode, Ui, UiBuilder};
 use egui_plot::PlotMemory;
 
 use super::still;
@@ -19,7 +19,10 @@ pub fn button(ui: &mut Ui, room: Rect, corner: Align2, is_changed: bool) -> bool
     let mut above = ui.new_child(UiBuilder::new().max_rect(place).id_salt("reset view"));
     theme::plain_text(&mut above);
     // A drag that begins on it is none of the view below.
-    let button = Button::new(RichText::new("Reset view").small()).sense(Sense::click_and_drag());
+    let text = RichText::new("Reset view").small();
+    let button = Button::new(text)
+        .sense(Sense::click_and_drag())
+        .wrap_mode(TextWrapMode::Extend);
     is_changed
         && !still::is(ui)
         && above

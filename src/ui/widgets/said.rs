@@ -7,6 +7,9 @@ use egui::{Align2, Area, Context, Frame, Id, Label, Order, Rect, vec2};
 /// For how long it is said, in seconds.
 const SECONDS: f64 = 2.0;
 
+/// How many characters of a longer one are read in a second.
+const READ_PER_SECOND: f64 = 16.0;
+
 /// From the lower edge of the views, in points.
 const ABOVE_EDGE: f32 = 14.0;
 
@@ -25,7 +28,8 @@ struct Line {
 impl Said {
     /// Says `text` from now on, in place of what was said before.
     pub fn say(&mut self, text: String, ctx: &Context) {
-        let until = ctx.input(|input| input.time) + SECONDS;
+        let seconds = SECONDS.max(text.chars().count() as f64 / READ_PER_SECOND);
+        let until = ctx.input(|input| input.time) + seconds;
         self.0 = Some(Line { text, until });
     }
 

@@ -2,19 +2,21 @@
 
 use egui::{Color32, Grid, Painter, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
 
+use glam::DVec3;
+
 use super::category;
 use crate::theme::{self, Palette};
 use bxdf::{Category, Side};
 use bxdf_lab::analysis::Channel;
-use bxdf_lab::analysis::reflectance::{LobeShare, Reflectance, by_kind};
+use bxdf_lab::analysis::reflectance::{LobeShare, Reflectance, by_kind, has_flux};
 use bxdf_study::format;
 
 /// A sum of shares beyond 1 that is taken for more than an error of the quadrature or of rounded parameters.
 const EXCESS: f64 = 0.005;
 
 /// What the numbers are.
-const HINT: &str =
-    "What becomes of light arriving along the held direction, as shares of its flux (luminance)";
+const HINT: &str = "What becomes of light arriving along the fixed direction, as shares of its flux: luminance, that is R, G and B weighted as the \
+     eye does";
 
 /// A part of the bar: its name, its share and how it is filled.
 struct Part {
@@ -28,20 +30,35 @@ struct Part {
 /// What is said where more leaves than arrives.
 const CREATED: &str = "creates energy";
 
+/// Why there are no shares: in a few words, and in whole sentences.
+type Missing = [&'static str; 2];
+
+/// Where no light arrives.
+const NONE_ARRIVES: Missing = [
+    "– no light arrives at θ = 90°",
+    "In the surface plane cos θ is 0: no flux arrives, and shares of it are undefined. Towards 90° they have a limit, which \
+     the view Reflectance shows",
+];
+
+/// Where they are not known yet.
+const NOT_YET: Missing = ["…", "Computing the shares of the light"];
+
 /// Where the light of the selected material goes, about to be shown.
 pub struct Energy<'a> {
-    found: Reflectance,
+    found: Result<Reflectance, Missing>,
     parts: Vec<Part>,
     palette: &'a Palette,
 }
 
 impl<'a> Energy<'a> {
-    /// Of the shares of its lobes.
+    /// Of the shares of its lobes, as they are answered for light along `wi`.
     #[must_use]
-    pub fn of(shares: &[LobeShare], palette: &'a Palette) -> Self {
+    pub fn of(wi: DVec3, shares: Option<&[LobeShare]>, palette: &'a Palette) -> Self {
+        let shares = shares.filter(|_| has_flux(wi));
+        let missing = if has_flux(wi) { NOT_YET } else { NONE_ARRIVES };
         Self {
-            found: Reflectance::of(shares),
-            parts: parts(shares, palette),
+            found: shares.map(Reflectance::of).ok_or(missing),
+            parts: shares.map_or_else(Vec::new, |shares| parts(shares, palette)),
             palette,
         }
     }
@@ -53,13 +70,19 @@ impl<'a> Energy<'a> {
 
     /// The sums, and a warning where more leaves than arrives.
     pub fn words(&self, ui: &mut Ui) {
-        ui.label(sums(&self.found))
-            .on_hover_ui(|ui| self.legend(ui));
-        if creates_energy(&self.found) {
+        let found = match &self.found {
+            Ok(found) => found,
+            Err([text, hint]) => {
+                ui.weak(*text).on_hover_text(*hint);
+                return;
+            }
+        };
+        ui.label(sums(found)).on_hover_ui(|ui| self.legend(ui));
+        if creates_energy(found) {
             ui.colored_label(self.palette.warning, CREATED)
                 .on_hover_text(format!(
                     "More light leaves than arrives: {:.3} times as much, in the channel that gains most",
-                    self.found.largest()
+                    found.largest()
                 ));
         }
     }
@@ -67,12 +90,22 @@ impl<'a> Energy<'a> {
     /// What [`Self::words`] say, one after the other.
     #[must_use]
     pub fn texts(&self) -> Vec<String> {
-        let warning = creates_energy(&self.found).then(|| CREATED.to_owned());
-        std::iter::once(sums(&self.found)).chain(warning).collect()
+        match &self.found {
+            Ok(found) => {
+                let warning = creates_energy(found).then(|| CREATED.to_owned());
+                std::iter::once(sums(found)).chain(warning).collect()
+            }
+            Err([text, _]) => vec![(*text).to_owned()],
+        }
     }
 
     fn legend(&self, ui: &mut Ui) {
-        legend(ui, &self.parts, self.found.error, self.palette);
+        match &self.found {
+            Ok(found) => legend(ui, &self.parts, found.error, self.palette),
+            Err([_, hint]) => {
+                ui.label(*hint);
+            }
+        }
     }
 }
 
@@ -159,6 +192,11 @@ fn bar(ui: &mut Ui, parts: &[Part], palette: &Palette) -> egui::Response {
     response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, "Shares of light"));
     // Where energy is created there is more than the bar holds: its whole length is then all that leaves.
     let whole: f64 = parts.iter().map(|part| part.share.max(0.0)).sum();
+    if parts.is_empty() {
+        let edge = (1.0, palette.absorbed);
+        let inside = egui::StrokeKind::Inside;
+        ui.painter().rect_stroke(rect, 0.0, edge, inside);
+    }
     let mut left = rect.left();
     for part in parts {
         let width = rect.width() * (part.share.max(0.0) / whole.max(1.0)) as f32;

@@ -5,7 +5,10 @@ use egui::{Label, RichText, Ui};
 use super::draw;
 use bxdf_study::answers::Progress;
 use bxdf_study::cursor::Cursor;
-use bxdf_study::session::Session;
+use bxdf_study::session::{Curves, Session};
+
+/// What the value is, where it is one number.
+const LUMINANCE: &str = "The luminance of the value: its R, G and B weighted as the eye does. The Inspector has the channels";
 
 /// The value under the pointer, in the room there is.
 pub fn value(ui: &mut Ui, session: &Session, cursor: Option<(&Cursor, [f64; 3])>) {
@@ -13,7 +16,10 @@ pub fn value(ui: &mut Ui, session: &Session, cursor: Option<(&Cursor, [f64; 3])>
         || RichText::new("Point at a view to read its value").weak(),
         |(cursor, value)| RichText::new(draw::cursor_text(cursor, session, value)),
     );
-    ui.add(Label::new(text).truncate());
+    let shown = ui.add(Label::new(text).truncate());
+    if cursor.is_some() && session.shown_curves() == Curves::Luminance {
+        shown.on_hover_text(LUMINANCE);
+    }
 }
 
 /// Whether something is being computed; how long the last change took is told only to who points there.

@@ -115,7 +115,7 @@ impl CurveRequest {
 
     fn shares(&self, bxdf: &dyn Scatterer<f64>, theta_deg: f64, phi_deg: f64) -> Vec<LobeShare> {
         let wi = direction_from_degrees(theta_deg.min(GRAZING_DEG), phi_deg);
-        lobe_shares(bxdf, wi, self.tolerance, self.max_evaluations)
+        lobe_shares(bxdf, wi, self.tolerance, self.max_evaluations).unwrap_or_default()
     }
 
     /// The mean by two product rules: Gauss-Legendre over the cosine, equal steps over the azimuth.

@@ -92,7 +92,14 @@ impl LobeShare {
     }
 }
 
-/// What each lobe of `bxdf` does with the light arriving along `wi`: the lobes of [`Lobes::lobes`](bxdf::Lobes::lobes) in their order, then the
+/// Whether light along the unit vector `w` crosses the surface: in the surface plane itself, at a polar angle of exactly 90
+/// degrees, its cosine is 0, no flux arrives, and a share of it is 0 over 0.
+#[must_use]
+pub fn has_flux(w: DVec3) -> bool {
+    w.z != 0.0
+}
+
+/// What each lobe of `bxdf` does with the light arriving along `wi`; `None` where that carries none ([`has_flux`]). The lobes of [`Lobes::lobes`](bxdf::Lobes::lobes) in their order, then the
 /// Dirac deltas. Arguments as for [`directional_hemispherical_within`].
 #[must_use]
 pub fn lobe_shares(
@@ -100,7 +107,10 @@ pub fn lobe_shares(
     wi: DVec3,
     tolerance: f64,
     max_evaluations: usize,
-) -> Vec<LobeShare> {
+) -> Option<Vec<LobeShare>> {
+    if !has_flux(wi) {
+        return None;
+    }
     let held = HeldLobe::new(bxdf, Hold::Light, wi);
     let lobes = held.lobes();
     let tolerance = tolerance / lobes.len().max(1) as f64;
@@ -122,10 +132,11 @@ pub fn lobe_shares(
         value: arrow.flux,
         error: 0.0,
     });
-    continuous.chain(deltas).collect()
+    Some(continuous.chain(deltas).collect())
 }
 
-/// The query what each lobe does with the light that arrives along the held direction, whichever is held.
+/// The query what each lobe does with the light that arrives along the held direction, whichever is held; it has no answer
+/// where that carries none ([`has_flux`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SharesRequest {
     /// The absolute error aimed at.
@@ -135,9 +146,9 @@ pub struct SharesRequest {
 }
 
 impl Query for SharesRequest {
-    type Answer = Vec<LobeShare>;
+    type Answer = Option<Vec<LobeShare>>;
 
-    fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Vec<LobeShare>> {
+    fn answer(&self, subject: &Subject<'_>, _: Detail, _: IsWanted<'_>) -> Option<Self::Answer> {
         let lobe = &subject.lobe;
         let (tolerance, evaluations) = (self.tolerance, self.max_evaluations);
         Some(lobe_shares(
@@ -167,7 +178,8 @@ pub fn by_kind(shares: &[LobeShare]) -> Vec<LobeShare> {
 
 /// `rho_dh(wi)`: the integral of f(wo, wi) |cos(theta_o)| over all `wo`, and the flux of the deltas.
 ///
-/// `wi` is a unit vector, above or below the surface; one in the horizon plane carries nothing and gives 0.
+/// `wi` is a unit vector, above or below the surface; one in the surface plane carries nothing and gives 0, where the share is
+/// undefined ([`has_flux`]).
 /// `tolerance`: absolute error wanted; the error reached is returned.
 #[must_use]
 pub fn directional_hemispherical(
@@ -186,7 +198,7 @@ pub fn directional_hemispherical_within(
     tolerance: f64,
     max_evaluations: usize,
 ) -> Reflectance {
-    Reflectance::of(&lobe_shares(bxdf, wi, tolerance, max_evaluations))
+    Reflectance::of(&lobe_shares(bxdf, wi, tolerance, max_evaluations).unwrap_or_default())
 }
 
 #[cfg(test)]
@@ -296,6 +308,24 @@ mod tests {
         );
         assert!((leaf.transmission[1] - 0.3).abs() < 1e-12 && leaf.reflection[1] == 0.0);
         assert_eq!(rho("lambertian_reflection", DVec3::X).reflection, [0.0; 3]);
+    }
+
+    #[test]
+    fn light_in_the_surface_plane_has_no_shares() {
+        for material in [
+            "lambertian_reflection",
+            "specular_reflection",
+            "rough_conductor",
+        ] {
+            let bxdf = material.parse::<Material>().unwrap().build();
+            let shares = |theta| {
+                let wi = direction_from_degrees(theta, 30.0);
+                lobe_shares(&*bxdf, wi, 1e-3, 10_000)
+            };
+            assert_eq!(shares(90.0), None, "{material}");
+            let grazing = Reflectance::of(&shares(GRAZING_DEG).unwrap());
+            assert!(grazing.reflection[0] > 0.5, "{material}: {grazing:?}");
+        }
     }
 
     #[test]

@@ -149,13 +149,13 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         };
         // Out of a metal no light comes.
         if shown().any(is_clear) {
-            let hint = "The side that the light comes from: that of the held direction, or always the same";
+            let hint = "The side that the light comes from: that of the fixed direction, or always the same";
             let titles = SeenFrom::title;
             let value = &mut cx.options.seen_from;
             choice::choice(ui, ("From", hint), value, SeenFrom::ALL, titles);
         }
         if shown().any(|entry| cx.options.has_wavelengths(&entry.material)) {
-            let hint = "Over the angle, or over the wavelength by the table of the metal at the angle held";
+            let hint = "Over the angle, or over the wavelength by the table of the metal at the angle that is fixed";
             let value = &mut cx.options.over;
             choice::choice(ui, ("Over", hint), value, Over::ALL, Over::title);
         }

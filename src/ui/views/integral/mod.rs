@@ -13,11 +13,12 @@ use crate::widgets::{choice, draw};
 use bxdf_lab::analysis::Channel;
 use bxdf_lab::analysis::hemisphere::Range;
 use bxdf_lab::analysis::integral::{Exact, Integrand, Request, Sum};
+use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_study::cursor::Cursor;
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, MaterialEntry};
-use bxdf_study::views::DECADES;
 use bxdf_study::views::integral::{Options, PATCHES_LOG2, SECONDS};
+use bxdf_study::views::{DECADES, ViewOptions as _};
 
 use figure::{Figure, luminance};
 use kept::Place;
@@ -49,6 +50,10 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     settings::show(ui, cx, controls);
     if let Some(note) = bxdf_study::export::nothing_to_show(cx.session) {
         draw::centred_note(ui, note);
+        return;
+    }
+    if cx.options.is_of_held() && !has_flux(cx.session.held()) {
+        draw::centred_note(ui, "No light arrives, of which a share could be summed");
         return;
     }
     let request = cx.options.request(cx.session);
@@ -126,10 +131,8 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         play::button(ui, cx);
         let options = &mut *cx.options;
         let hint = "How long playing takes, in seconds";
-        ui.label("Duration").on_hover_text(hint);
         let number = Number::new("Duration", SECONDS).speed(0.1);
-        let shown = number.field(ui, &mut options.seconds);
-        shown.on_hover_text(hint).explain(ui);
+        choice::number(ui, ("Duration", hint), &number, &mut options.seconds);
         let hint = "Colours by decades below the highest value";
         choice::switch(ui, ("By decades", hint), &mut options.is_logarithmic);
     });

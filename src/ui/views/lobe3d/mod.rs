@@ -7,7 +7,7 @@ use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo};
 use glam::{DVec3, Vec3};
 
 use super::context::ViewContext;
-use super::settings;
+use super::{settings, side_by_side};
 use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
 use crate::widgets::labels::Labels;
@@ -69,12 +69,15 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     if is_overlaid {
         show_scene(ui, cx, (requested, scales), room, covered);
     } else {
-        let cells = pictures::cells(ui, room, requested.len(), CELL_ASPECT);
-        for (index, (cell, one)) in cells.into_iter().zip(requested).enumerate() {
-            pictures::title(ui, cell, one.material(), cx.session, cx.palette);
+        let named = requested.iter().enumerate();
+        let named: Vec<_> = named
+            .map(|(index, one)| (one.material(), scales.own_of(index)))
+            .collect();
+        let cells = side_by_side::cells(ui, cx, (room, CELL_ASPECT), &named);
+        for (index, (picture, one)) in cells.into_iter().zip(requested).enumerate() {
             let own = scales.of_one(index);
             ui.push_id(one.material(), |ui| {
-                show_scene(ui, cx, (vec![one], own), cell.picture, covered);
+                show_scene(ui, cx, (vec![one], own), picture, covered);
             });
         }
     }
@@ -142,7 +145,11 @@ fn show_scene(
         axes::draw(&ui.painter_at(rect), rect, &camera, &solids, cx.palette);
     }
     sketch.draw(cx.session, &directions, &drawing);
-    offer_peaks(ui, cx, &drawing.lobes, rect);
+    let mut free = rect;
+    if is_moved(cx) && rect.intersects(covered) {
+        free.min.y = covered.bottom();
+    }
+    offer_peaks(ui, cx, &drawing.lobes, free);
     if held::drag(ui, cx, rect, &camera) {
         cx.state.keep_arrangement(has_lower);
     } else if !response.dragged() {

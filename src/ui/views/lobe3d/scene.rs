@@ -216,6 +216,12 @@ fn add_axes(scene: &mut Scene, palette: &Palette) {
     }
 }
 
+/// The cosine between a ray and a delta that cover each other: that of two degrees.
+const ALONG: f64 = 0.999_4;
+
+/// How much of a ray a delta covers at most: its head is always seen.
+const LONGEST_COVERED: f64 = 0.9;
+
 fn add_directions(scene: &mut Scene, session: &Session, lobes: &Lobes, palette: &Palette) {
     let held = session.held();
     let mirror = DVec3::new(-held.x, -held.y, held.z);
@@ -229,14 +235,27 @@ fn add_directions(scene: &mut Scene, session: &Session, lobes: &Lobes, palette: 
         scene.add_arrow(light * (head + HEAD_SHAFT), light * head, color, 2.0);
     }
     let color = rgba(palette.viewer, 255);
-    scene.add_arrow(Vec3::ZERO, viewer.as_vec3(), color, 2.0);
+    let foot = viewer * covered(viewer, lobes);
+    scene.add_arrow(foot.as_vec3(), viewer.as_vec3(), color, 2.0);
+    let foot = covered(mirror, lobes);
     let (mirror, color) = (mirror.as_vec3(), rgba(palette.mirror, 255));
-    scene.add_dashed(Vec3::ZERO, mirror * 0.9, color, 1.5);
+    if foot < LONGEST_COVERED {
+        scene.add_dashed(mirror * foot as f32, mirror * 0.9, color, 1.5);
+    }
     scene.add_arrow(mirror * 0.9, mirror, color, 1.5);
     for (color, arrow) in lobes.arrows() {
         let tip = (arrow.direction * Channel::Luminance.of(arrow.flux)).as_vec3();
         scene.add_arrow(Vec3::ZERO, tip, rgba(color, 255), STEM_WIDTH);
     }
+}
+
+/// Up to which radius deltas cover a ray along `w`: it begins beyond them, or it would hide the longest.
+fn covered(w: DVec3, lobes: &Lobes) -> f64 {
+    let along = lobes
+        .arrows()
+        .filter(|(_, arrow)| arrow.direction.dot(w) > ALONG);
+    let lengths = along.map(|(_, arrow)| Channel::Luminance.of(arrow.flux));
+    lengths.fold(0.0, f64::max).min(LONGEST_COVERED)
 }
 
 /// Theta, phi and the projection onto the s-t plane.

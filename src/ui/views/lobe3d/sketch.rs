@@ -288,8 +288,12 @@ impl Sketch<'_> {
         }
         let quantity = if session.with_cosine { "f cos θ" } else { "f" };
         let place = self.rect.right_top() + vec2(-8.0, 6.0);
+        let is_overlay = session.materials.is_overlay();
         let text = match lobes.full() {
             Some(full) => format!("radius = {quantity} {} 1/sr", format::value(full)),
+            // The title above it has its scale.
+            None if is_overlay && lobes.all.len() == 1 => return,
+            None if is_overlay => format!("each its own scale: radius = {quantity} over its peak"),
             None => format!("radius = {quantity} over its peak"),
         };
         let (font, color) = (draw::small_font(self.ui), self.palette.faint_ink);

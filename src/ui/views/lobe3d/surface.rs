@@ -145,10 +145,16 @@ impl Scales {
 
     /// Those of one of the lobes, by itself.
     pub(super) fn of_one(&self, lobe: usize) -> Self {
-        Self {
-            full: Full::Shared(self.full_of(lobe)),
-            ..*self
-        }
+        let full = match self.full {
+            Full::Shared(full) => Full::Shared(full),
+            Full::Each(_) => Full::Each(vec![self.full_of(lobe)]),
+        };
+        Self { full, ..*self }
+    }
+
+    /// The value at the full radius of one of the lobes, where that is its own.
+    pub(super) fn own_of(&self, lobe: usize) -> Option<f64> {
+        matches!(self.full, Full::Each(_)).then(|| self.full_of(lobe))
     }
 
     pub(super) fn shared(&self) -> Option<f64> {

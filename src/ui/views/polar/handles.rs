@@ -60,8 +60,7 @@ fn drag(
 }
 
 /// What the arrow keys do here.
-const KEYS: &str = "Drag it, or press Tab until it has the focus: Left and Right move it along the circle by 1°, Up and Down \
-    towards n and away from it; with Shift by 0.1°";
+const KEYS: &str = "Left and Right move it along the circle by 1°, Up and Down towards n and away from it; with Shift by 0.1°";
 
 /// An angle from n, positive to the right, in radians, moved by the arrow keys.
 fn moved(angle: f64, steps: Steps) -> f64 {

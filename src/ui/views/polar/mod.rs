@@ -4,10 +4,11 @@ use egui::{IdSalt, Sense, Ui, UiBuilder, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
 use super::context::ViewContext;
-use super::settings;
+use super::{settings, side_by_side};
 use crate::theme::Dash;
 use crate::widgets::legend::Swatch;
-use crate::widgets::{draw, pictures, reset, still};
+use crate::widgets::{draw, reset, still};
+use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_lab::analysis::{RadialScale, deltas, polar};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::session::MaterialEntry;
@@ -30,8 +31,6 @@ const TOP_ROOM: f64 = 0.27;
 const LOWER_ROOM: f64 = 0.16;
 /// The same in points, where that is more.
 const LOWER_POINTS: f64 = 18.0;
-/// How far the plot's part of the plane may be from what it is at first, as a share of its width, by rounding to pixels alone.
-const WINDOW_SLACK: f64 = 0.005;
 /// Beyond this radius the pointer reads nothing.
 const HOVER_RADIUS: f64 = 1.12;
 
@@ -62,10 +61,14 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     plotted.sort_by_key(|one| one.slot);
     let room = ui.available_rect_before_wrap();
     let aspect = aspect(cx.state.shows_lower_half(cx.session));
-    let cells = pictures::cells(ui, room, plotted.len(), aspect);
-    for (cell, one) in cells.into_iter().zip(plotted) {
-        pictures::title(ui, cell, one.entry, cx.session, cx.palette);
-        let scope = UiBuilder::new().max_rect(cell.picture).id_salt(one.entry);
+    let is_own = cx.options.scale.is_each_to_peak;
+    let named = plotted
+        .iter()
+        .map(|one| (one.entry, is_own.then_some(one.radial.full)));
+    let named: Vec<_> = named.collect();
+    let cells = side_by_side::cells(ui, cx, (room, aspect), &named);
+    for (picture, one) in cells.into_iter().zip(plotted) {
+        let scope = UiBuilder::new().max_rect(picture).id_salt(one.entry);
         ui.scope_builder(scope, |ui| show_plot(ui, cx, &[one], shared));
     }
     ui.advance_cursor_after_rect(room);
@@ -97,7 +100,7 @@ fn rings(cx: &ViewContext<'_, Options>, plotted: &[Plotted], shared: Option<f64>
     match (shared, plotted) {
         (Some(full), _) => Rings::of(Radial::new(lengths, full), &format!("{quantity} in 1/sr")),
         (None, [one]) => Rings::of(one.radial, &format!("{quantity} in 1/sr")),
-        (None, _) => Rings::of_shares(lengths, &format!("{quantity} over its peak")),
+        (None, _) => Rings::of_shares(lengths, &format!("{quantity} over its own peak")),
     }
 }
 
@@ -176,18 +179,9 @@ fn show_plot(
     if !response.response.hovered() {
         mark_cursor(ui, cx, &transform);
     }
-    let is_moved = !is_near(transform.bounds(), &window);
+    let memory = PlotMemory::load(ui.ctx(), id);
+    let is_moved = memory.is_some_and(|memory| !memory.auto_bounds.all());
     reset::of_plot(ui, id, *transform.frame(), is_moved);
-}
-
-/// Whether the plot shows `window`, but for what the rounding of its frame to pixels makes of it.
-fn is_near(bounds: &PlotBounds, window: &PlotBounds) -> bool {
-    let ends = |bounds: &PlotBounds| [bounds.min(), bounds.max()];
-    let slack = WINDOW_SLACK * window.width();
-    let pairs = ends(bounds).into_iter().zip(ends(window));
-    pairs
-        .flat_map(|(one, other)| one.into_iter().zip(other))
-        .all(|(one, other)| (one - other).abs() <= slack)
 }
 
 /// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
@@ -234,9 +228,7 @@ fn note(cx: &ViewContext<'_, Options>, plotted: &[Plotted]) -> Option<&'static s
     let has_outside = stems.any(|stem| !stem.is_inside);
     if plotted.is_empty() {
         Some("Every material is hidden")
-    } else if session.held().z == 0.0 {
-        Some("In the surface plane a direction carries no light")
-    } else if is_empty {
+    } else if is_empty && has_flux(session.held()) {
         Some("No light leaves: total internal reflection, or all is absorbed")
     } else if has_outside || !cx.options.own_section_deg.of(session).holds_held {
         Some("Dashed: outside this section, drawn at its θ")

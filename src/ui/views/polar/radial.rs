@@ -9,7 +9,7 @@ use bxdf_study::format;
 pub(super) struct Radial {
     scale: RadialScale,
     /// The value at the unit circle.
-    full: f64,
+    pub(super) full: f64,
 }
 
 impl Radial {

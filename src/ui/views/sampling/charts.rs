@@ -119,7 +119,7 @@ pub(super) fn show_weights(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         }
         let title = cx.session.materials.title(found);
         texts.push(format!(
-            "{title}  mean {}  largest {}  zero or lost {} %",
+            "{title}  mean {}  largest {}  of weight 0 {} %",
             format::value(weights.mean),
             format::value(weights.largest),
             format::value(100.0 * weights.zeros)

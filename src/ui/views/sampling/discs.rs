@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use egui::{Align2, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
+use egui::{Align2, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2, vec2};
 use glam::DVec3;
 
 use super::super::context::ViewContext;
@@ -12,9 +12,9 @@ use super::super::direction;
 use super::studies::color_of;
 use crate::scene3d::Projection as _;
 use crate::theme::Palette;
-use crate::widgets::draw;
 use crate::widgets::labels::{Labels, Place, Reach};
 use crate::widgets::pictures::{self, Cell, ColorScale, ScaleKind};
+use crate::widgets::{choice, draw};
 use bxdf::math::frame;
 use bxdf_lab::analysis::hemisphere::Projection;
 use bxdf_lab::analysis::raster::Raster;
@@ -200,8 +200,7 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
             painter.circle_stroke(at, RING, (2.0, color));
             let ring = Rect::from_center_size(at, Vec2::splat(2.0 * RING));
             disc.labels.borrow_mut().keep_off(ring);
-            let side = if is_upper { "up" } else { "down" };
-            let text = format!("{number} in the delta {side}");
+            let text = format!("{number} samples (delta)");
             let (font, ink) = (draw::small_font(ui), cx.palette.ink);
             let galley = painter.layout_no_wrap(text.clone(), font.clone(), ink);
             let towards = if is_upper { Vec2::UP } else { Vec2::DOWN };
@@ -219,12 +218,14 @@ pub(super) fn draw_points(ui: &Ui, cx: &mut ViewContext<'_, Options>, disc: &Dis
     }
     if study.lost > 0 {
         let share = study.lost as f64 / (study.lost + study.points.len()) as f64;
-        note(
-            ui,
-            disc.rect,
-            &format!("{} % lost", format::value(100.0 * share)),
-            cx.palette,
-        );
+        let share = format!("{} %", format::value(100.0 * share));
+        let whole = format!("{share} of the samples have weight 0");
+        let fits =
+            |text: &String| choice::width_of(ui, text, &TextStyle::Small) < disc.rect.width();
+        let texts = [whole, format!("weight 0: {share}")];
+        if let Some(text) = texts.iter().find(|text| fits(text)) {
+            note(ui, disc.rect, text, cx.palette);
+        }
     }
 }
 

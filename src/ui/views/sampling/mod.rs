@@ -42,10 +42,9 @@ fn controls(ui: &mut Ui, options: &mut Options) {
         let log2 = &mut options.count_log2;
         choice::power_of_two(ui, ("Samples", hint), log2, &SAMPLES_LOG2);
         let hint = "Other random numbers";
-        ui.label("Seed").on_hover_text(hint);
         let mut seed = f64::from(options.seed);
         let number = Number::new("Seed", SEED).speed(0.25);
-        number.field(ui, &mut seed).on_hover_text(hint).explain(ui);
+        choice::number(ui, ("Seed", hint), &number, &mut seed);
         options.seed = seed as u32;
         let hint = "On the dome, from the same viewpoint as the 3D lobe";
         choice::switch_if(

@@ -127,10 +127,8 @@ fn controls(ui: &mut Ui, cx: &mut ViewContext<'_, Options>, report: Option<&Repo
         let options = &mut *cx.options;
         let hint = "The largest relative error (root mean square) that is good enough; the line \
             in the plots can be dragged";
-        ui.label("Tolerance").on_hover_text(hint);
         let number = Number::new("Tolerance", TOLERANCE).logarithmic(true);
-        let shown = number.field(ui, &mut options.tolerance);
-        shown.on_hover_text(hint).explain(ui);
+        choice::number(ui, ("Tolerance", hint), &number, &mut options.tolerance);
         let hint = "Measure whenever another material is selected, or it changes";
         let named = ("Measure automatically", hint);
         choice::switch(ui, named, &mut options.is_immediate);

@@ -5,7 +5,7 @@
 use egui::{Align, Layout, Popup, PopupCloseBehavior, TextStyle, Ui};
 
 use super::choice::width_of;
-use super::directions::{self, Angle, FIXED, HELD};
+use super::directions::{self, Angle};
 use super::shares::Energy;
 use super::status;
 use crate::theme;
@@ -133,12 +133,7 @@ impl Bar<'_> {
         let gap = spacing.item_spacing.x;
         let [rail, _] = theme::BAR_RAIL;
         match part {
-            Part::Fixed => {
-                let names = HELD.map(|(_, name, _)| {
-                    text_width(ui, name) + 2.0 * spacing.button_padding.x + gap
-                });
-                text_width(ui, FIXED) + gap + names.iter().sum::<f32>()
-            }
+            Part::Fixed => directions::fixed_width(ui),
             Part::Shown => text_width(ui, directions::shown(session)) + gap,
             Part::Of(angle) => text_width(ui, angle.symbol()) + theme::NUMBER_WIDTH + 2.0 * gap,
             Part::Rails => Angle::ALL.len() as f32 * (rail + gap),

@@ -3,8 +3,8 @@
 use egui::{Color32, Rect, Response, Role, Sense, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2};
 
 use crate::theme::{self, Dash, Palette};
-use crate::widgets::chevron::focus_ring;
 use crate::widgets::draw;
+use crate::widgets::focus;
 use crate::widgets::thumbnails::{self, Thumbnails};
 use bxdf_study::answers::Answers;
 use bxdf_study::session::{MaterialEntry, Materials};
@@ -61,7 +61,7 @@ impl Icon<'_> {
             let color = palette.material(slot).gamma_multiply(strength);
             let stroke = (theme::CURVE_WIDTH, color);
             draw::line(ui.painter(), ends, stroke, Dash::of(slot));
-            focus_ring(ui, &response);
+            focus::ring(ui, &response);
         }
         response.on_hover_text(format!("{title}\nClick to select it"))
     }

@@ -1,6 +1,6 @@
 //! The list of materials: which there are, which are seen, which is selected, in which order.
 
-use egui::{Rect, ScrollArea, Ui, UiBuilder};
+use egui::{Context, Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::theme::{self, Palette};
 use crate::widgets::thumbnails::Thumbnails;
@@ -16,11 +16,11 @@ mod action;
 mod icons;
 mod row;
 
-/// The share of the panel's height that the list takes, in whole rows and whatever is in it: what stands below it does not
-/// move when a material is added. The rest is for the parameters.
+/// The share of the panel's height that the list takes at least, in whole rows and whatever is in it: what stands below it does
+/// not move when one of the first materials is added. More rows take what room the parameters leave.
 const LIST_SHARE: f32 = 0.2;
 
-/// The fewest and the most rows that are in sight, where the fewest leave room for the parameters.
+/// The fewest rows that are in sight, where they leave room for the parameters, and the most of that share.
 const ROWS: [f32; 2] = [3.0, 8.0];
 
 /// The largest share of the panel's height that the fewest rows may take.
@@ -34,9 +34,19 @@ pub struct MaterialList {
     /// The selected material, as the list last showed it.
     scrolled_to: Option<EntryId>,
     thumbnails: Thumbnails,
+    /// The height of what stands below the list, as it was last drawn, in points.
+    below: f32,
 }
 
 impl MaterialList {
+    /// Leaves so much room below the list from the next frame on, in points.
+    pub fn leave_below(&mut self, ctx: &Context, height: f32) {
+        if self.below != height {
+            self.below = height;
+            ctx.request_repaint();
+        }
+    }
+
     /// The list; it changes `materials`. Returns the place to go to where a badge is clicked: its material is selected.
     ///
     /// # Errors
@@ -53,7 +63,10 @@ impl MaterialList {
         let [fewest, most] = ROWS;
         let rows_of = |share: f32| (share * ui.available_height() / theme::ROW_HEIGHT).floor();
         let fewest = fewest.min(rows_of(LARGEST_SHARE)).max(1.0);
-        let height = rows_of(LIST_SHARE).clamp(fewest, most) * theme::ROW_HEIGHT;
+        let least = rows_of(LIST_SHARE).clamp(fewest, most);
+        let free = (ui.available_height() - self.below) / theme::ROW_HEIGHT;
+        let rows = free.floor().min(materials.count() as f32).max(least);
+        let height = rows * theme::ROW_HEIGHT;
         let area = ScrollArea::vertical()
             .id_salt("material list")
             .max_height(height)

@@ -9,8 +9,8 @@ use egui::{
 use super::action::{Action, grip_id, is_pressed};
 use crate::theme::{self, Dash, Palette};
 use crate::widgets::badges::Badges;
-use crate::widgets::chevron::focus_ring;
 use crate::widgets::draw;
+use crate::widgets::focus;
 use crate::widgets::things;
 use crate::widgets::thumbnails::{self, Thumbnails};
 use bxdf_lab::contract::PhysicalLaws;
@@ -224,7 +224,7 @@ impl Row<'_> {
             (theme::CURVE_WIDTH, line),
             Dash::of(self.entry.slot()),
         );
-        focus_ring(ui, &row);
+        focus::ring(ui, &row);
         if row.double_clicked() || is_pressed(ui, &row, Key::F2, false) {
             wished.push(Action::StartRenaming);
         } else if row.clicked() {

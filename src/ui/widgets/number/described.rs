@@ -129,7 +129,8 @@ impl<'a> Number<'a> {
     }
 
     /// The value as it stands in the field while nobody types: five digits, four decimals.
-    pub(super) fn shown(&self, value: f64) -> String {
+    #[must_use]
+    pub fn shown(&self, value: f64) -> String {
         if self.spec.is_whole {
             self.with_unit(&plain(value))
         } else {

@@ -7,7 +7,7 @@ use egui::{CornerRadius, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo
 use super::controls::name;
 use super::words::accessible;
 use crate::theme;
-use crate::widgets::chevron::focus_ring;
+use crate::widgets::focus;
 use bxdf::param::{Kind, ParamSpec};
 use bxdf_study::parameters::label;
 
@@ -106,7 +106,7 @@ fn paint_link(ui: &Ui, rect: Rect, response: &Response, is_linked: bool) {
         ui.painter()
             .rect_stroke(link, round, (width, color), StrokeKind::Middle);
     }
-    focus_ring(ui, response);
+    focus::ring(ui, response);
 }
 
 /// A drawing pin, on a ground of its own while it holds.
@@ -134,5 +134,5 @@ fn paint_pin(ui: &Ui, rect: Rect, response: &Response, is_pinned: bool) {
         let ends = [vec2(x, y), vec2(to_x, to_y)].map(|by| rect.center() + by);
         ui.painter().line_segment(ends, (width, color));
     }
-    focus_ring(ui, response);
+    focus::ring(ui, response);
 }

@@ -5,7 +5,7 @@ use egui::{
     Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
 };
 
-use super::{draw, still};
+use super::{draw, hint, still};
 use crate::theme::{self, Palette};
 use bxdf_study::format;
 use bxdf_study::session::{EntryId, Session};
@@ -38,7 +38,14 @@ pub struct Cell {
 /// Square places for `n` pictures in `room`, as large as they go, row by row; `aspect`: width over height.
 #[must_use]
 pub fn cells(ui: &Ui, room: Rect, n: usize, aspect: f32) -> Vec<Cell> {
-    below_titles(room, n, (aspect, draw::label_scale(ui) * theme::LEGEND_ROW))
+    cells_below(ui, (room, aspect), n, 1)
+}
+
+/// The same below titles of so many `rows`.
+#[must_use]
+pub fn cells_below(ui: &Ui, (room, aspect): (Rect, f32), n: usize, rows: usize) -> Vec<Cell> {
+    let row = draw::label_scale(ui) * theme::LEGEND_ROW;
+    below_titles(room, n, (aspect, rows as f32 * row))
 }
 
 /// The same below titles of this height, where there are several.
@@ -174,7 +181,7 @@ pub fn title(
     response.widget_info(|| {
         WidgetInfo::selected(Role::Button, true, is_selected, format!("Picture: {name}"))
     });
-    if response.on_hover_text(&name).clicked() {
+    if hint::in_plot(response, &name).clicked() {
         session.materials.select(entry);
     }
     name
