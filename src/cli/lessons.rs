@@ -10,7 +10,7 @@ use super::say::say;
 use bxdf::error::Result;
 use bxdf_lab::quantities;
 use bxdf_study::lessons::{
-    self, Expression, Kind, Lesson, Shelf, Step, Tolerance, plain, plain_spans,
+    self, Expression, Fault, Kind, Lesson, Shelf, Step, Tolerance, plain, plain_spans,
 };
 
 /// Where errors say that the program's own lessons and questions stand.
@@ -108,10 +108,22 @@ impl Group {
         } else {
             self.place.clone()
         };
-        let faults = lessons::check(lesson).into_iter();
+        let faults = lessons::check(lesson).into_iter().chain(in_window(lesson));
         let lines = faults.map(|fault| format!("{place}: line {}: {}", fault.line, fault.problem));
         lines.collect()
     }
+}
+
+/// What is wrong with what a lesson names in the window.
+#[cfg(feature = "gui")]
+fn in_window(lesson: &Lesson) -> Vec<Fault> {
+    bxdf_ui::headless::unknown_controls(lesson)
+}
+
+/// A build without the window cannot look.
+#[cfg(not(feature = "gui"))]
+fn in_window(_: &Lesson) -> Vec<Fault> {
+    Vec::new()
 }
 
 /// The lessons and the questions of the program.

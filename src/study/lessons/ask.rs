@@ -19,6 +19,27 @@ pub struct Ask {
     pub hints: Vec<Vec<Span>>,
 }
 
+impl Ask {
+    /// All that there is to read in it.
+    #[must_use]
+    pub fn spans(&self) -> Vec<&Span> {
+        let choices: &[Choice] = match &self.kind {
+            Kind::Choice(choices) => choices,
+            Kind::Number(_) | Kind::Reach(_) => &[],
+        };
+        let of_choices = choices.iter().flat_map(|choice| {
+            let because = choice.because.iter().flatten();
+            choice.text.iter().chain(because)
+        });
+        let hints = self.hints.iter().flatten();
+        self.question
+            .iter()
+            .chain(hints)
+            .chain(of_choices)
+            .collect()
+    }
+}
+
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {

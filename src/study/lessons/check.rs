@@ -73,13 +73,10 @@ fn problems<'a>(
 /// What is wrong with a question in this state; the state is left as the right answer leaves it.
 fn answered(ask: &Ask, session: &mut Session) -> impl Iterator<Item = String> {
     let scenes = Scenes::of(session);
-    let mut faults: Vec<String> = problems(&ask.question, &scenes).collect();
-    faults.extend(problems(ask.hints.iter().flatten(), &scenes));
+    let mut faults: Vec<String> = problems(ask.spans(), &scenes).collect();
     let found = match &ask.kind {
         Kind::Choice(choices) => {
             for choice in choices {
-                let because = choice.because.iter().flatten();
-                faults.extend(problems(choice.text.iter().chain(because), &scenes));
                 let mut shown = session.clone();
                 let applied = choice.shows.as_ref().map(|patch| patch.apply(&mut shown));
                 faults.extend(applied.and_then(Result::err));

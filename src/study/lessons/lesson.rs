@@ -2,7 +2,7 @@
 
 use super::ask::Ask;
 use super::patch::Patch;
-use super::text::{Block, Thing};
+use super::text::{Block, Span, Thing, spans};
 use crate::session::Session;
 
 /// A lesson.
@@ -59,6 +59,20 @@ pub enum Start {
     Lesson,
     /// That of the step with this title.
     Step(String),
+}
+
+impl Step {
+    /// The things that it points out or has words for.
+    #[must_use]
+    pub fn things(&self) -> Vec<&Thing> {
+        let ask = self.ask.iter().flat_map(Ask::spans);
+        let texts = spans(&self.text).into_iter().chain(spans(&self.answer));
+        let of_words = texts.chain(ask).filter_map(|span| match span {
+            Span::Words { style, .. } => style.thing.as_ref(),
+            _ => None,
+        });
+        self.shows.iter().chain(of_words).collect()
+    }
 }
 
 impl Lesson {

@@ -51,6 +51,7 @@ mod first_steps;
 mod keys;
 mod learning;
 pub(super) mod left;
+mod lessons;
 mod looking;
 mod params;
 mod picture;

@@ -9,7 +9,10 @@ use super::app::App;
 pub use super::app::{Figure, OnScreen, Picture, Title};
 use bxdf::error::{Error, Result};
 
+mod controls;
 mod page;
+
+pub use controls::unknown_controls;
 
 /// The most frames a picture takes to settle: layout needs two or three.
 const MAX_FRAMES: u64 = 32;
