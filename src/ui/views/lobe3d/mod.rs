@@ -12,7 +12,7 @@ use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
 use crate::widgets::labels::Labels;
 use crate::widgets::legend::Swatch;
-use crate::widgets::{draw, pictures, reset, still};
+use crate::widgets::{draw, reset, still};
 use axes::Solids;
 use bxdf::math::frame;
 use bxdf_study::cursor::Cursor;
