@@ -6,7 +6,7 @@ use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::headless::unknown_controls;
 use egui::{Key, Modifiers, Role, Theme};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT as _, Queryable};
 
 fn window(size: [u32; 2]) -> Harness<'static, App> {
     super::picture(Session::default(), None, size, Theme::Dark).controls()
@@ -126,10 +126,8 @@ fn every_step_stands_in_the_window() {
                 let letters = (b'A'..).map(char::from).take(choices.len());
                 for letter in letters {
                     let name = format!("{letter}: ");
-                    assert!(
-                        harness.query_by_label_contains(&name).is_some(),
-                        "{place}: {name}"
-                    );
+                    let found = harness.query_all_by_label_contains(&name).next();
+                    assert!(found.is_some(), "{place}: {name}");
                 }
             }
         }
@@ -172,4 +170,110 @@ fn lessons_are_listed_and_found() {
     harness.run();
     assert!(harness.query_by_label(&first.title).is_none());
     assert!(harness.query_by_label("Nothing of the kind").is_some());
+}
+
+/// What a screen reader reads of the panel, in its order: texts, and controls by their names.
+fn read_aloud(harness: &Harness<'_, App>) -> Vec<String> {
+    let nodes = harness.root().children_recursive();
+    let texts = nodes.filter_map(|node| {
+        let node = node.accesskit_node();
+        node.label().or_else(|| node.value())
+    });
+    texts.collect()
+}
+
+/// The text comes before the question, that before its choices, those before what helps; and so goes the focus.
+#[test]
+fn a_step_is_read_and_gone_through_in_order() {
+    let mut harness = window([1280, 800]);
+    harness.state_mut().open_lesson(&example(), 0);
+    harness.run();
+    let read = read_aloud(&harness);
+    let place = |wanted: &str| {
+        let found = read.iter().position(|text| text.contains(wanted));
+        found.unwrap_or_else(|| panic!("'{wanted}' in {read:?}"))
+    };
+    let order = [
+        "Predict",
+        "The light",
+        "Question",
+        "Alpha becomes half as large",
+        "A: It stays",
+        "B: It grows about fourfold",
+        "C: It falls",
+        "Hint",
+        "Show the answer",
+        "Copy link",
+        "Next",
+    ];
+    let places = order.map(place);
+    assert!(places.is_sorted(), "{places:?}");
+    // From the first choice on, Tab goes to what is read next.
+    harness.get_by_label("A: It stays").focus();
+    harness.run();
+    for wanted in [
+        "B: It grows about fourfold",
+        "C: It falls",
+        "Hint",
+        "Show the answer",
+        "Copy link",
+    ] {
+        harness.key_press(Key::Tab);
+        harness.run();
+        let focused = harness
+            .root()
+            .children_recursive()
+            .find(|node| node.accesskit_node().is_focused());
+        let name = focused.and_then(|node| node.accesskit_node().label());
+        assert!(
+            name.as_deref().is_some_and(|name| name.contains(wanted)),
+            "{name:?} for {wanted}"
+        );
+    }
+    // Formulas are heard in words.
+    harness.get_by_label("B: It grows about fourfold").click();
+    harness.run();
+    let read = read_aloud(&harness);
+    assert!(
+        read.iter().any(
+            |text| text == "1 over ( pi alpha squared )" || text == "1 over (pi alpha squared)"
+        ),
+        "{read:?}"
+    );
+}
+
+/// Words point at things, and things at words.
+#[test]
+fn words_and_things_point_at_one_another() {
+    let strokes = |harness: &Harness<'_, App>| {
+        let shapes = harness.output().shapes.iter();
+        let circles = shapes.filter(|clipped| matches!(&clipped.shape, egui::Shape::Circle(_)));
+        circles.count()
+    };
+    let mut harness = window([1280, 800]);
+    harness.state_mut().open_lesson(&example(), 0);
+    harness.run();
+    let before = strokes(&harness);
+    harness.hover_at(harness.get_by_label("The light").rect().center());
+    harness.run();
+    assert!(
+        strokes(&harness) >= before + 2,
+        "a ring about the light in both views"
+    );
+    harness.state_mut().open_lesson(&example(), 1);
+    harness.run();
+    harness.hover_at(harness.get_by_label("the slider").rect().center());
+    harness.run_ok();
+    let slider = harness.query_all_by_label("Roughness along s (alpha)");
+    let slider = slider.map(|node| node.rect()).next().unwrap();
+    let rings = harness
+        .output()
+        .shapes
+        .iter()
+        .filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Rect(rect) if rect.stroke.width > 2.0 => Some(rect.rect),
+            _ => None,
+        });
+    let mut near = rings.filter(|ring| ring.contains_rect(slider));
+    assert!(near.next().is_some(), "a frame about {slider}");
 }

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 
+use brdf_explorer::study::lessons::{Lesson, lessons};
 use brdf_explorer::study::session::{READY_LAYOUTS, Session};
 use brdf_explorer::study::views::VIEWS;
 use brdf_explorer::ui::app::App;
@@ -47,7 +48,7 @@ const WINDOWS: [Window; 6] = [
 ];
 
 /// The limit on the stored pictures, all together.
-const MAX_BYTES: u64 = 14 << 20;
+const MAX_BYTES: u64 = 16 << 20;
 
 /// Colour differences up to this go unseen (the scale of dify's YIQ distance); versions of the driver differ by less.
 const THRESHOLD: f32 = 1.0;
@@ -85,6 +86,30 @@ fn stored_in(theme: Theme) -> Vec<(String, Session)> {
 /// The name of a picture of a session of an older version.
 fn stored_name(session: &str, theme: &str) -> String {
     format!("session_{session}_{theme}")
+}
+
+/// The size of the pictures of lessons, in points: the smallest window that a class has.
+const LESSON_SIZE: [u32; 2] = [1024, 640];
+
+/// The lessons that have a picture in a theme: every other one, so that each has one.
+fn lessons_in(theme: Theme) -> impl Iterator<Item = &'static Lesson> {
+    let first = usize::from(theme == Theme::Light);
+    lessons().iter().skip(first).step_by(2)
+}
+
+/// The name of a picture of a lesson.
+fn lesson_name(lesson: &str, theme: &str) -> String {
+    format!("lesson_{lesson}_{theme}")
+}
+
+/// The window with a lesson, at its second step: the first one is the simplest.
+fn learning(lesson: &Lesson, theme: Theme) -> Harness<'static, App> {
+    let mut shown = picture(Session::default(), None, LESSON_SIZE, theme)
+        .harness()
+        .unwrap();
+    shown.state_mut().open_lesson(lesson, 1);
+    shown.run_ok();
+    shown
 }
 
 fn is_software_driver() -> bool {
@@ -140,6 +165,10 @@ fn pictures_are_as_stored() {
             window.run();
             compare_shown(&mut results, &format!("{name}_{theme_name}"), &mut window);
         }
+        for lesson in lessons_in(theme) {
+            let name = lesson_name(&lesson.id, theme_name);
+            compare_shown(&mut results, &name, &mut learning(lesson, theme));
+        }
         for (name, session) in stored_in(theme) {
             let window = picture(session, None, STORED_SIZE, theme);
             compare(&mut results, &stored_name(&name, theme_name), window);
@@ -162,6 +191,8 @@ fn the_stored_pictures_are_one_per_view_model_and_theme() {
         let windows = WINDOWS.iter().map(|(name, ..)| *name);
         let names = windows.chain(ABOVE.iter().map(|(name, ..)| *name));
         expected.extend(names.map(|name| format!("{name}_{theme_name}")));
+        let learnt = lessons_in(theme);
+        expected.extend(learnt.map(|lesson| lesson_name(&lesson.id, theme_name)));
         let stored = stored_in(theme).into_iter();
         expected.extend(stored.map(|(name, _)| stored_name(&name, theme_name)));
         for view in &VIEWS {

@@ -20,6 +20,12 @@ pub struct Ask {
 }
 
 impl Ask {
+    /// Whether one of several answers is chosen.
+    #[must_use]
+    pub fn is_choice(&self) -> bool {
+        matches!(self.kind, Kind::Choice(_))
+    }
+
     /// All that there is to read in it.
     #[must_use]
     pub fn spans(&self) -> Vec<&Span> {

@@ -11,6 +11,7 @@
 
 use std::ops::Range;
 
+use percent_encoding::percent_decode_str;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use super::expression::Expression;
@@ -80,7 +81,8 @@ pub enum Thing {
     Material(usize),
     /// A view by the id of its kind: `#view-polar`.
     View(String),
-    /// A control of the window by its accessible name: `#control-Fixed`; a space is written `%20`.
+    /// A control of the window by its accessible name: `#control-Fixed`; spaces and parentheses are written as in
+    /// addresses, `%20`, `%28` and `%29`.
     Control(String),
 }
 
@@ -107,8 +109,8 @@ impl Thing {
         let refused = || format!("a link to '{link}': allowed is {THINGS}");
         let name = link.strip_prefix('#').ok_or_else(refused)?;
         let behind = |begin: &str| {
-            name.strip_prefix(begin)
-                .map(|rest| rest.replace("%20", " "))
+            let rest = name.strip_prefix(begin)?;
+            Some(percent_decode_str(rest).decode_utf8_lossy().into_owned())
         };
         Ok(match name {
             "light" => Self::Light,

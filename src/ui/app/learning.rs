@@ -16,6 +16,8 @@ pub struct Learning {
     pub(super) is_seen: bool,
     /// The lessons that a person opened.
     pub(super) opened: Vec<Lesson>,
+    /// Whether the list has just come.
+    pub(super) is_new: bool,
     /// What is looked for in the list.
     pub(super) typed: String,
     /// The lesson at hand.
@@ -38,6 +40,8 @@ pub(super) struct At {
     pub(super) before: Option<Session>,
     /// Whether the state behind the question is to be shown, once nothing is in the hand.
     pub(super) is_after_due: bool,
+    /// Whether the step has just come.
+    pub(super) is_new: bool,
 }
 
 impl At {
@@ -50,6 +54,7 @@ impl At {
             begun,
             before: None,
             is_after_due: false,
+            is_new: true,
             lesson,
             step,
         })

@@ -17,6 +17,7 @@ impl App {
     /// Shows the panel of lessons, or hides it.
     pub fn switch_learning(&mut self) {
         self.learning.is_shown ^= true;
+        self.learning.is_new = self.learning.is_shown;
     }
 
     /// Whether the panel of lessons is shown.
@@ -83,6 +84,7 @@ impl App {
         };
         if let Some(begun) = begun(&at.lesson, step, room) {
             (at.step, at.before, at.is_after_due) = (step, None, false);
+            at.is_new = true;
             at.begun = begun;
             self.session.clone_from(&at.begun);
             let is_revealed = at.works.get(step).is_some_and(Work::is_revealed);
@@ -148,9 +150,10 @@ impl App {
             }
         });
         let mut typed = std::mem::take(&mut self.learning.typed);
+        let is_new = std::mem::take(&mut self.learning.is_new);
         let groups = self.learning.groups();
         let look = (&self.learning.progress, palette);
-        let chosen = lesson::list(ui, &groups, &mut typed, look);
+        let chosen = lesson::list(ui, &groups, (&mut typed, is_new), look);
         let chosen = chosen.and_then(|(of, place)| groups.get(of)?.lessons.get(place).cloned());
         self.learning.typed = typed;
         if let Some(lesson) = chosen {
@@ -183,6 +186,7 @@ impl App {
             step: at.step,
             is_other: at.before.is_some(),
             is_as_begun: self.session == at.begun,
+            is_new: std::mem::take(&mut at.is_new),
         };
         let mut prose = Prose {
             scenes: &at.scenes,
@@ -205,6 +209,7 @@ impl App {
         }
         if is_left {
             self.learning.at = None;
+            self.learning.is_new = true;
         }
     }
 

@@ -14,11 +14,11 @@ pub struct Group<'a> {
     pub lessons: &'a [Lesson],
 }
 
-/// The groups that there are, filtered by what is typed. Returns the group and the place of the one that is chosen.
+/// The groups that there are, filtered by what is typed; `is_new`: whether the list has just come, so that one may type. Returns the group and the place of the one that is chosen.
 pub fn show(
     ui: &mut Ui,
     groups: &[Group<'_>],
-    typed: &mut String,
+    (typed, is_new): (&mut String, bool),
     (progress, palette): (&Progress, &Palette),
 ) -> Option<(usize, usize)> {
     let mut chosen = None;
@@ -28,6 +28,9 @@ pub fn show(
     let field = ui.add(field);
     let label = |node: &mut egui::accesskit::Node| node.set_label("Find a lesson or a question");
     ui.ctx().accesskit_node_builder(field.id, label);
+    if is_new {
+        field.request_focus();
+    }
     let area = ScrollArea::vertical()
         .id_salt("lessons")
         .auto_shrink([false, false]);

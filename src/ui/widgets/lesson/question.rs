@@ -21,11 +21,12 @@ pub enum Done {
     Back,
 }
 
-/// The question. `is_shown`: whether the views show what a wrong answer would look like. Returns what is done.
+/// The question. `is_shown`: whether the views show what a wrong answer would look like; `is_new`: whether it has just come, so
+/// that the keyboard begins with its first choice. Returns what is done.
 pub fn show(
     ui: &mut Ui,
     (ask, work): (&Ask, &mut Work),
-    is_shown: bool,
+    (is_shown, is_new): (bool, bool),
     prose: &mut Prose<'_>,
 ) -> Option<Done> {
     let mut done = None;
@@ -39,7 +40,9 @@ pub fn show(
             prose.line(ui, &ask.question);
             ui.add_space(4.0);
             match &ask.kind {
-                Kind::Choice(choices) => done = self::choices(ui, choices, work, prose),
+                Kind::Choice(choices) => {
+                    done = self::choices(ui, (choices, is_new), work, prose);
+                }
                 Kind::Number(asked) => done = number(ui, asked, work, prose),
                 Kind::Reach(_) => {
                     ui.label(
@@ -53,8 +56,23 @@ pub fn show(
             if let Some(because) = work.because(ask) {
                 prose.line(ui, because);
             }
-            help(ui, ask, work, prose);
+            for hint in ask.hints.iter().take(work.hints) {
+                ui.horizontal_top(|ui| {
+                    ui.label("💡");
+                    ui.vertical(|ui| prose.line(ui, hint));
+                });
+            }
             ui.horizontal_wrapped(|ui| {
+                if !work.is_revealed() && work.hints < ask.hints.len() {
+                    let text = if work.hints == 0 {
+                        "Hint"
+                    } else {
+                        "Another hint"
+                    };
+                    if ui.button(text).clicked() {
+                        work.hints += 1;
+                    }
+                }
                 let shown = work.shown(ask, prose.session);
                 let is_other = |shown: &Session| shown != prose.session;
                 if is_shown {
@@ -80,7 +98,12 @@ pub fn show(
     done
 }
 
-fn choices(ui: &mut Ui, choices: &[Choice], work: &Work, prose: &mut Prose<'_>) -> Option<Done> {
+fn choices(
+    ui: &mut Ui,
+    (choices, is_new): (&[Choice], bool),
+    work: &Work,
+    prose: &mut Prose<'_>,
+) -> Option<Done> {
     let mut done = None;
     for (index, choice) in choices.iter().enumerate() {
         let letter = char::from(b'A' + index as u8 % 26);
@@ -93,13 +116,16 @@ fn choices(ui: &mut Ui, choices: &[Choice], work: &Work, prose: &mut Prose<'_>) 
             );
             let label = |node: &mut egui::accesskit::Node| node.set_label(name.clone());
             ui.ctx().accesskit_node_builder(button.id, label);
+            if is_new && index == 0 {
+                button.request_focus();
+            }
             if button.clicked() && !work.is_revealed() {
                 done = Some(Done::Choose(index));
             }
             ui.vertical(|ui| prose.line(ui, &choice.text));
         });
         // The whole line answers to the pointer, and the letter to the keyboard.
-        let line = row.response.interact(Sense::click());
+        let line = row.response.interact(Sense::CLICK);
         if line.clicked() && !work.is_revealed() {
             done = Some(Done::Choose(index));
         }
@@ -156,25 +182,4 @@ fn verdict(ui: &mut Ui, ask: &Ask, work: &Work, prose: &Prose<'_>) {
         .size(prose.size)
         .color(palette.text_in(color));
     ui.label(text.strong());
-}
-
-/// The hints, one after the other.
-fn help(ui: &mut Ui, ask: &Ask, work: &mut Work, prose: &mut Prose<'_>) {
-    for hint in ask.hints.iter().take(work.hints) {
-        ui.horizontal_top(|ui| {
-            ui.label("💡");
-            ui.vertical(|ui| prose.line(ui, hint));
-        });
-    }
-    if work.is_revealed() || work.hints >= ask.hints.len() {
-        return;
-    }
-    let text = if work.hints == 0 {
-        "Hint"
-    } else {
-        "Another hint"
-    };
-    if ui.button(text).clicked() {
-        work.hints += 1;
-    }
 }

@@ -5,7 +5,7 @@ use egui::{Align, Button, Layout, RichText, ScrollArea, Ui};
 use super::prose::Prose;
 use super::question::{self, Done};
 use crate::widgets::things::{self, By};
-use bxdf_study::lessons::{Lesson, Work};
+use bxdf_study::lessons::{Ask, Lesson, Work};
 
 /// What the line with the way to other steps needs besides its buttons, in points.
 const WAY: f32 = 28.0;
@@ -33,6 +33,8 @@ pub struct Shown<'a> {
     pub is_other: bool,
     /// Whether the state is that of the step.
     pub is_as_begun: bool,
+    /// Whether the step has just come: the keyboard goes on from it.
+    pub is_new: bool,
 }
 
 /// The step. Returns what is wished.
@@ -57,7 +59,7 @@ pub fn show(
         ui.add_space(4.0);
         prose.blocks(ui, &at.text);
         if let Some(ask) = &at.ask {
-            let done = question::show(ui, (ask, work), shown.is_other, prose);
+            let done = question::show(ui, (ask, work), (shown.is_other, shown.is_new), prose);
             turn = done.map(Turn::Question);
             if work.is_revealed() {
                 ui.add_space(6.0);
@@ -88,6 +90,10 @@ pub fn show(
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let next = ui.add_enabled(step + 1 < count, Button::new("Next ▶"));
+            let has_choices = at.ask.as_ref().is_some_and(Ask::is_choice);
+            if shown.is_new && !has_choices {
+                next.request_focus();
+            }
             if next.on_hover_text("The next step (Page Down)").clicked() {
                 turn = Some(Turn::To(step + 1));
             }
