@@ -6,6 +6,7 @@ pub mod decisions {}
 pub mod analysis;
 pub mod contract;
 pub mod control;
+pub mod formula_card;
 pub mod formula_comparison;
 pub mod quantities;
 pub mod rounding;
