@@ -17,6 +17,7 @@ mod drawing;
 mod export;
 mod figures;
 mod files;
+mod formula_card;
 mod fresnel;
 mod gestures;
 mod history;

@@ -11,6 +11,7 @@ mod cartesian;
 mod context;
 mod decomposition;
 mod direction;
+mod formula_card;
 mod fresnel;
 pub mod heading;
 mod hemisphere;
