@@ -4,6 +4,7 @@
 pub mod decisions {}
 
 pub mod analysis;
+pub mod coat_forms;
 pub mod contract;
 pub mod control;
 pub mod formula_card;
