@@ -4,9 +4,12 @@
 pub use crate::glossy::cosine_power;
 pub use crate::math::library::Libm;
 pub use crate::math::quadrature::gauss_legendre;
-pub use crate::microfacet::{Normals, ggx, gtr1};
+pub use crate::microfacet::multiple_scattering::EnergyTable;
+pub use crate::microfacet::{Masking, Normals, ggx, gtr1};
 pub use crate::optics::conductor::Conductor;
 pub use crate::optics::diffuse_fresnel::diffuse_transmittance;
+pub use crate::optics::facet_fresnel::{AnyFresnel, FacetFresnel};
+pub use crate::optics::interface::{AnyInterface, Interface};
 pub use crate::sample::sample_deltas;
 
 use crate::math::{Real, Vec3};

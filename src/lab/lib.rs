@@ -4,8 +4,10 @@
 pub mod decisions {}
 
 pub mod analysis;
+pub mod coat_forms;
 pub mod contract;
 pub mod control;
+pub mod formula_card;
 pub mod formula_comparison;
 pub mod quantities;
 pub mod rounding;

@@ -12,7 +12,7 @@ use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::export;
 use brdf_explorer::ui::headless::{OnScreen, Picture, Title};
 use egui::accesskit::{Action, Role};
-use egui::{Key, Modifiers, Shape, Theme};
+use egui::{FontFamily, Key, Modifiers, Shape, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
@@ -108,13 +108,17 @@ fn no_figure_has_a_control_and_each_says_what_it_shows() {
     }
 }
 
-/// The smallest text of a shape, in points; a subscript has the size of its line.
+/// The smallest text of a shape, in points; a subscript has the size of its line, and so have the scripts of a formula, whose
+/// letters are set one by one.
 fn smallest(shape: &Shape) -> f32 {
     match shape {
         Shape::Vec(shapes) => shapes.iter().map(smallest).fold(f32::INFINITY, f32::min),
         Shape::Text(text) => {
             let sections = text.galley.job.sections.iter();
-            let sizes = sections.map(|section| section.format.font_id.size);
+            let sizes = sections.map(|section| match &section.format.font_id.family {
+                FontFamily::Name(_) => f32::INFINITY,
+                _ => section.format.font_id.size,
+            });
             let largest = sizes.fold(0.0, f32::max);
             if largest > 0.0 {
                 largest

@@ -18,6 +18,7 @@ mod export;
 mod figure_pages;
 mod figures;
 mod files;
+mod formula_card;
 mod fresnel;
 mod gestures;
 mod history;

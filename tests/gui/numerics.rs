@@ -208,3 +208,23 @@ fn formulas_are_compared_in_a_tab_and_shown_as_maps_where_they_have_two_argument
             .is_some()
     );
 }
+
+#[test]
+fn the_forms_under_a_coat_say_what_they_break() {
+    let mut harness = alone(session(&["gold"]), "stability");
+    harness.get_by_label("Under a coat").click();
+    harness.run();
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Canvas, "Diffuse part under a coat")
+            .is_some()
+    );
+    for part in [
+        "Reciprocal: 0.874 from 60° to 0°, and back; keeps energy",
+        "Reciprocal: 0.958 from 60° to 0°, and back; breaks energy",
+        "Not reciprocal: 0.911 from 60° to 0°, 0.96 back; keeps energy",
+    ] {
+        let found = harness.query_by_label_contains(part).is_some();
+        assert!(found, "{part}");
+    }
+}

@@ -19,7 +19,13 @@ const HANDLES: std::ops::Range<f32> = 6.0..14.0;
 const EDGE: f32 = 0.75;
 
 /// Views with lists that are scrolled to what is cut off.
-const SCROLLED: [&str; 4] = ["inspector", "sampling", "stability", "tradeoff"];
+const SCROLLED: [&str; 5] = [
+    "formula_card",
+    "inspector",
+    "sampling",
+    "stability",
+    "tradeoff",
+];
 
 /// What is written or can be taken hold of: what it says, where it is, and what of that is seen.
 struct Covered {

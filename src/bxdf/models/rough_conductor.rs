@@ -34,7 +34,7 @@ use crate::microfacet::{
 };
 use crate::optics::Spectrum;
 use crate::optics::conductor::Conductor;
-use crate::optics::facet_fresnel::{AnyFresnel, FacetFresnel, Lazanyi, Schlick};
+use crate::optics::facet_fresnel::{AnyFresnel, FacetFresnel};
 use crate::optics::metal::Metal;
 use crate::param::ParamSet;
 use crate::{Microfacet, reflected_direction, sample_reflection};
@@ -144,18 +144,7 @@ struct RoughConductor<R, N, F, C> {
 fn build<R: Real>(params: &ParamSet) -> Box<dyn Scatterer<R>> {
     let spectrum = |name| Spectrum::of(params.rgb(name));
     let metal = Metal::new(spectrum("eta").0, spectrum("k").0);
-    let fresnel = match params.choice("fresnel") {
-        "schlick" => AnyFresnel::Schlick(Schlick(spectrum("f0"))),
-        "one" => AnyFresnel::Schlick(Schlick(Spectrum::grey(R::one()))),
-        word => {
-            let exact = Conductor::new(spectrum("eta").0, spectrum("k").0);
-            if word == "lazanyi" {
-                AnyFresnel::Lazanyi(Lazanyi::new(&exact))
-            } else {
-                AnyFresnel::Conductor(exact)
-            }
-        }
-    };
+    let fresnel = AnyFresnel::from_params(params);
     let (normals, masking) = (
         Distribution::from_params(params),
         Masking::from_params(params),

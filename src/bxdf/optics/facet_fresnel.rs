@@ -6,6 +6,7 @@ use super::fresnel;
 use super::metal::{GreyMetal, Metal};
 use crate::math::Real;
 use crate::math::quadrature::gauss_legendre;
+use crate::param::ParamSet;
 
 /// The reflectance of a mirror facet.
 pub trait FacetFresnel<R: Real>: Copy + Send + Sync + 'static {
@@ -130,6 +131,27 @@ pub enum AnyFresnel<R> {
     Schlick(Schlick<R>),
     /// By that with the term of Lazanyi & Szirmay-Kalos.
     Lazanyi(Lazanyi<R>),
+}
+
+impl<R: Real> AnyFresnel<R> {
+    /// The choice `fresnel` in `params`: by Schlick from `f0`, 1 at every angle, or a metal's of index `eta` and `k`, exact or
+    /// by the term of Lazanyi & Szirmay-Kalos.
+    #[must_use]
+    pub fn from_params(params: &ParamSet) -> Self {
+        let spectrum = |name| Spectrum::of(params.rgb(name));
+        match params.choice("fresnel") {
+            "schlick" => Self::Schlick(Schlick(spectrum("f0"))),
+            "one" => Self::Schlick(Schlick(Spectrum::grey(R::one()))),
+            word => {
+                let exact = Conductor::new(spectrum("eta").0, spectrum("k").0);
+                if word == "lazanyi" {
+                    Self::Lazanyi(Lazanyi::new(&exact))
+                } else {
+                    Self::Conductor(exact)
+                }
+            }
+        }
+    }
 }
 
 impl<R: Real> FacetFresnel<R> for AnyFresnel<R> {

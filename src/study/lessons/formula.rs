@@ -6,6 +6,15 @@ const MAX_LENGTH: usize = 2000;
 /// Symbols that have the colour of the thing they name, as `\light{\omega_i}`: the command, and what it stands for.
 pub const COLOURED: [&str; 6] = ["light", "viewer", "normal", "half", "lobe", "mirror"];
 
+/// What a symbol with a colour stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Symbol {
+    /// A thing, by its command in [`COLOURED`].
+    Thing(&'static str),
+    /// A parameter, as `\param{alpha_x}{\alpha_s}`, by its place in [`parameters`].
+    Parameter(usize),
+}
+
 /// Checks that braces and signs of a formula are closed, so that an error is said with its line.
 ///
 /// # Errors
@@ -24,20 +33,49 @@ pub fn check(tex: &str) -> Result<(), String> {
 
 /// The formula in plain TeX: its coloured symbols in the colours that `colour` gives as `#rrggbb`.
 #[must_use]
-pub fn expanded(tex: &str, colour: impl Fn(&'static str) -> String) -> String {
+pub fn expanded(tex: &str, colour: impl Fn(Symbol) -> String) -> String {
+    replaced(tex, |symbol| format!("\\textcolor{{{}}}{{", colour(symbol)))
+}
+
+/// The command of a symbol that stands for a parameter.
+const PARAMETER: &str = "\\param{";
+
+/// The names of the parameters that symbols stand for, one for each symbol.
+#[must_use]
+pub fn parameters(tex: &str) -> Vec<&str> {
+    let behind = tex.split(PARAMETER).skip(1);
+    let names = behind.filter_map(|rest| rest.split_once("}{"));
+    names.map(|(name, _)| name).collect()
+}
+
+/// The formula with what `open` gives in place of the command of each coloured symbol, up to the brace of the symbol itself.
+fn replaced(tex: &str, open: impl Fn(Symbol) -> String) -> String {
     let mut text = tex.to_owned();
     for name in COLOURED {
-        let command = format!("\\{name}{{");
-        text = text.replace(&command, &format!("\\textcolor{{{}}}{{", colour(name)));
+        text = text.replace(&format!("\\{name}{{"), &open(Symbol::Thing(name)));
     }
-    text
+    let mut pieces = text.split(PARAMETER);
+    let mut whole = pieces.next().unwrap_or_default().to_owned();
+    let mut place = 0;
+    for piece in pieces {
+        if let Some((_, rest)) = piece.split_once("}{") {
+            whole.push_str(&open(Symbol::Parameter(place)));
+            whole.push_str(rest);
+            place += 1;
+        } else {
+            // It is left for the parser, which says what is wrong with it.
+            whole.push_str(PARAMETER);
+            whole.push_str(piece);
+        }
+    }
+    whole
 }
 
 /// How a formula is read aloud: its signs in words, near enough to be followed.
 #[must_use]
 pub fn spoken(tex: &str) -> String {
     let mut words = String::new();
-    let mut rest = expanded_plainly(tex);
+    let mut rest = replaced(tex, |_| "{".to_owned());
     while let Some(c) = rest.chars().next() {
         let (said, length) = match c {
             '\\' => command(&rest),
@@ -58,15 +96,6 @@ pub fn spoken(tex: &str) -> String {
         rest.drain(..length);
     }
     words.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// The formula without the colours of its symbols.
-fn expanded_plainly(tex: &str) -> String {
-    let mut text = tex.to_owned();
-    for name in COLOURED {
-        text = text.replace(&format!("\\{name}{{"), "{");
-    }
-    text
 }
 
 /// How the command at the beginning of the text is read aloud, and the bytes it takes.
@@ -152,6 +181,7 @@ mod tests {
             (r"\frac{D\,G}{4\cos\theta}", "D G over 4 times cos theta"),
             (r"\cos^2\theta", "cos squared theta"),
             (r"\light{\omega_i}", "omega i"),
+            (r"\param{alpha_x}{\alpha_s}^2", "alpha s squared"),
             (r"\frac{\frac{a}{b}}{c} + 1", "a over b over c plus 1"),
             (r"\sqrt{1 - u}", "square root of 1 minus u"),
         ] {
@@ -163,9 +193,52 @@ mod tests {
 
     #[test]
     fn broken_formulas_are_refused() {
-        for tex in ["", " ", r"\frac{1", r"\unknown", &"x".repeat(3000)] {
+        for tex in [
+            "",
+            " ",
+            r"\frac{1",
+            r"\unknown",
+            r"\param{x}",
+            &"x".repeat(3000),
+        ] {
             assert!(check(tex).is_err(), "{tex}");
         }
         assert_eq!(check(r"\lobe{f} = \frac{\rho}{\pi}"), Ok(()));
+        let tex = r"\param{alpha_x}{\alpha_s}\,\param{k}{k}";
+        assert_eq!(check(tex), Ok(()));
+        assert_eq!(parameters(tex), ["alpha_x", "k"]);
+    }
+
+    #[test]
+    fn every_formula_of_the_cards_can_be_laid_out() {
+        use bxdf::models::MODELS;
+        use bxdf_lab::formula_card;
+        use glam::DVec3;
+        let (wo, wi) = (DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.48, 0.36, 0.8));
+        for model in MODELS {
+            let card = formula_card::find(model.id).unwrap();
+            let words = model.parameters.iter().flat_map(|spec| {
+                let choices = spec.choices.iter();
+                choices.map(|word| {
+                    model
+                        .defaults()
+                        .with(&[(spec.name, bxdf::Value::Choice(word))])
+                })
+            });
+            for params in words.flatten().chain([model.defaults()]) {
+                let terms = [wi, -wi].map(|wi| card.terms(&params, wo, wi));
+                let terms = terms.iter().flatten();
+                let said = terms.flat_map(|term| [term.symbol, term.formula]);
+                for tex in said
+                    .chain(card.formulas(&params))
+                    .filter(|tex| !tex.is_empty())
+                {
+                    assert_eq!(check(tex), Ok(()), "{}", model.id);
+                    for name in parameters(tex) {
+                        assert!(params.get(name).is_some(), "{}: {name}", model.id);
+                    }
+                }
+            }
+        }
     }
 }

@@ -11,6 +11,7 @@ use bxdf::error::{Error, Result};
 mod caption;
 pub mod cartesian;
 pub mod decomposition;
+pub mod formula_card;
 pub mod fresnel;
 pub mod hemisphere;
 pub mod inspector;
@@ -39,7 +40,7 @@ pub use section::{OWN_SECTION, OwnSection};
 macro_rules! view_kinds {
     ($then:ident) => {
         $then! {
-            polar lobe3d cartesian hemisphere integral reflectance fresnel slice sphere sampling decomposition tradeoff stability inspector
+            polar lobe3d cartesian hemisphere integral reflectance fresnel slice sphere sampling decomposition tradeoff stability inspector formula_card
         }
     };
 }

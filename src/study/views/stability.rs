@@ -35,6 +35,8 @@ words! {
         Map = "This material",
         /// The errors of textbooks' formulas and of the core's.
         Formulas = "Formulas compared",
+        /// Which Fresnel term a diffuse part under a coat is multiplied by, and what each breaks.
+        Coat = "Under a coat",
     }
 }
 
@@ -171,6 +173,9 @@ impl ViewOptions for Options {
                 .naming(Subjects::Selected)
                 .at(Directions::Held),
             Plot::Formulas => Caption::of("formulas compared")
+                .naming(Subjects::None)
+                .at(Directions::None),
+            Plot::Coat => Caption::of("the diffuse part under a coat of index 1.5")
                 .naming(Subjects::None)
                 .at(Directions::None),
         }

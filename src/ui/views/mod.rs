@@ -12,6 +12,7 @@ mod cartesian;
 mod context;
 mod decomposition;
 mod direction;
+mod formula_card;
 mod fresnel;
 pub mod heading;
 mod hemisphere;

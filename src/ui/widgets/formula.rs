@@ -11,7 +11,7 @@ use ratex_types::display_item::{DisplayItem, DisplayList};
 use super::things::{self, By};
 use crate::theme::{Palette, family_of};
 use bxdf_study::lessons::Thing;
-use bxdf_study::lessons::formula::{COLOURED, expanded, spoken};
+use bxdf_study::lessons::formula::{COLOURED, Symbol, expanded, parameters, spoken};
 
 /// A formula that is laid out; `None` where it cannot be.
 type Laid = Option<Arc<DisplayList>>;
@@ -42,16 +42,26 @@ pub fn laid_out(tex: &str, is_inline: bool) -> Option<DisplayList> {
     Some(ratex_layout::to_display_list(&laid))
 }
 
-/// The colour by which a coloured symbol is known when it is laid out: its place in the list, from 1 on.
-fn marker(name: &'static str) -> String {
-    let place = COLOURED.iter().position(|one| *one == name);
-    format!("#{:02x}0000", place.map_or(0, |place| place + 1))
+/// The colour by which a coloured symbol is known when it is laid out: its place in the list, from 1 on, in red for a thing, in
+/// green for a parameter.
+fn marker(symbol: Symbol) -> String {
+    match symbol {
+        Symbol::Thing(name) => {
+            let place = COLOURED.iter().position(|one| *one == name);
+            format!("#{:02x}0000", place.map_or(0, |place| place + 1))
+        }
+        Symbol::Parameter(place) => format!("#00{:02x}00", (place + 1).min(0xff)),
+    }
 }
 
-/// The thing that a piece of a formula stands for.
-fn thing(color: &ratex_types::color::Color) -> Option<Thing> {
-    let place = ((color.r * 255.0).round() as usize).checked_sub(1)?;
-    Some(match *COLOURED.get(place)? {
+/// What a piece of a formula stands for; `parameters`: the names of those that it has symbols for.
+fn thing(color: &ratex_types::color::Color, parameters: &[&str]) -> Option<Thing> {
+    let place = |share: f32| ((share * 255.0).round() as usize).checked_sub(1);
+    if let Some(place) = place(color.g) {
+        let name = parameters.get(place)?;
+        return Some(Thing::Control((*name).to_owned()));
+    }
+    Some(match *COLOURED.get(place(color.r)?)? {
         "light" => Thing::Light,
         "viewer" => Thing::Viewer,
         "normal" => Thing::Normal,
@@ -72,14 +82,32 @@ pub struct Look<'a> {
     pub lobe: Color32,
 }
 
-/// A formula in a line of text, or by itself. It is read aloud in words.
-pub fn show(ui: &mut Ui, tex: &str, is_inline: bool, look: Look<'_>) -> Response {
-    let laid = ui.memory_mut(|memory| {
+/// The colour of the symbol of a thing.
+fn color(thing: &Thing, look: Look<'_>) -> Color32 {
+    match thing {
+        Thing::Control(_) => look.palette.accent_line,
+        thing => things::color(thing, look.palette, look.lobe),
+    }
+}
+
+/// The width of a formula by itself, in sizes of its letters; 0 where it cannot be laid out.
+#[must_use]
+pub fn width(ui: &Ui, tex: &str, is_inline: bool) -> f32 {
+    laid(ui, tex, is_inline).map_or(0.0, |list| list.width as f32)
+}
+
+fn laid(ui: &Ui, tex: &str, is_inline: bool) -> Laid {
+    ui.memory_mut(|memory| {
         let cache = memory.caches.cache::<FrameCache<Laid, LayOut>>();
         cache.get((tex, is_inline)).clone()
-    });
-    let Some(list) = laid else {
-        // What could not be laid out was refused when the lesson was read.
+    })
+}
+
+/// A formula in a line of text, or by itself. It is read aloud in words. A symbol of a parameter `\param{name}{..}` stands for the
+/// control of that accessible name.
+pub fn show(ui: &mut Ui, tex: &str, is_inline: bool, look: Look<'_>) -> Response {
+    let Some(list) = laid(ui, tex, is_inline) else {
+        // What could not be laid out was refused when it was read.
         return ui.code(tex);
     };
     let em = look.size;
@@ -94,19 +122,17 @@ pub fn show(ui: &mut Ui, tex: &str, is_inline: bool, look: Look<'_>) -> Response
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken(tex)));
     if ui.is_rect_visible(rect) {
         let origin = pos2(rect.left(), rect.center().y - 0.5 * height);
-        paint(ui, &list, origin, look);
+        paint(ui, &list, (origin, &parameters(tex)), look);
     }
     response
 }
 
 /// Draws what is laid out from the corner `origin` on.
-fn paint(ui: &Ui, list: &DisplayList, origin: Pos2, look: Look<'_>) {
+fn paint(ui: &Ui, list: &DisplayList, (origin, parameters): (Pos2, &[&str]), look: Look<'_>) {
     let em = look.size;
     let at = |x: f64, y: f64| origin + vec2(x as f32 * em, y as f32 * em);
-    let ink = |color: &ratex_types::color::Color| match thing(color) {
-        Some(thing) => look
-            .palette
-            .text_in(things::color(&thing, look.palette, look.lobe)),
+    let ink = |marker: &ratex_types::color::Color| match thing(marker, parameters) {
+        Some(thing) => look.palette.text_in(color(&thing, look)),
         None => look.palette.ink,
     };
     for item in &list.items {
@@ -124,7 +150,7 @@ fn paint(ui: &Ui, list: &DisplayList, origin: Pos2, look: Look<'_>) {
                 };
                 let font = FontId::new(*scale as f32 * em, family_of(font));
                 let place = glyph(ui, letter, font, at(*x, *y), ink(color));
-                if let Some(thing) = thing(color) {
+                if let Some(thing) = thing(color, parameters) {
                     link(ui, place, &thing, look.palette);
                 }
             }
@@ -190,9 +216,10 @@ mod tests {
 
     #[test]
     fn formulas_are_laid_out_with_the_things_they_name() {
-        let list = laid_out(r"\lobe{f}(\light{\omega_i}, \viewer{\omega_o})", true).unwrap();
+        let tex = r"\lobe{f}(\light{\omega_i}, \viewer{\omega_o})\param{Alpha s}{x}";
+        let (list, named) = (laid_out(tex, true).unwrap(), parameters(tex));
         let found = list.items.iter().filter_map(|item| match item {
-            DisplayItem::GlyphPath { color, .. } => thing(color),
+            DisplayItem::GlyphPath { color, .. } => thing(color, &named),
             _ => None,
         });
         let found: Vec<Thing> = found.collect();
@@ -202,6 +229,7 @@ mod tests {
             Thing::Light,
             Thing::Viewer,
             Thing::Viewer,
+            Thing::Control("Alpha s".to_owned()),
         ];
         assert_eq!(found, expected);
         assert!(laid_out(r"\frac{1", false).is_none());

@@ -1,5 +1,6 @@
 //! The stability: where floating point gives out for the selected material, and why formulas are written as they are.
 
+mod coat;
 mod formula_curves;
 mod formula_maps;
 mod formulas;
@@ -27,6 +28,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     settings::show(ui, cx, |ui, cx| controls(ui, cx.session, cx.options));
     match cx.options.plot {
         Plot::Formulas => formula(ui, cx),
+        Plot::Coat => coat::show(ui, cx),
         Plot::Map => {
             verdict::show(ui, cx);
             if cx.session.material().is_delta_only() {
@@ -72,6 +74,10 @@ fn tabs(ui: &mut Ui, options: &mut Options) {
                 Plot::Formulas,
                 "Formulas as textbooks have them and as they are computed here: which of them keep their digits",
             ),
+            (
+                Plot::Coat,
+                "1 - F of which angle stands over the diffuse part under a coat: which forms are reciprocal, and which keep energy",
+            ),
         ] {
             let tab = ui.selectable_value(&mut options.plot, plot, plot.title());
             tab.on_hover_text(hint);
@@ -111,6 +117,10 @@ fn controls(ui: &mut Ui, session: &Session, options: &mut Options) {
                 }
             }
             Plot::Map => axes_choice(ui, session, options),
+            Plot::Coat => {
+                ui.label(coat::WHAT);
+                return;
+            }
         }
         let hint = "In units of u, the rounding of one operation (6e-8 in f32, 1.1e-16 in f64); as a \
             share of the value; or over what the stability law allows, 16 (1 + κ) u: above 1 the \
