@@ -51,6 +51,74 @@ fn an_empty_environment_adds_no_line() {
     assert_eq!(super::stderr(&output).lines().count(), 1);
 }
 
+/// A step of a lesson is named as *Copy link to this step* has it.
+#[test]
+fn a_step_of_a_lesson_is_a_picture_of_the_window() {
+    let folder = folder("lesson");
+    let picture = |lesson: &str, name: &str| {
+        let path = folder.join(name).display().to_string();
+        let size = ["--size", "640x400", "--scale", "1.5", "-o", &path];
+        let output =
+            super::run_with_input(&[&["render", "--lesson", lesson][..], &size].concat(), "");
+        let message = super::stderr(&output).to_owned();
+        if message.contains("no graphics adapter is found") {
+            return None;
+        }
+        assert_eq!((output.status.code(), message.as_str()), (Some(0), ""));
+        let picture = image::open(&path).unwrap();
+        assert_eq!([picture.width(), picture.height()], [960, 600]);
+        Some(std::fs::read(path).unwrap())
+    };
+    let Some(first) = picture("01-scattering", "a.png") else {
+        return;
+    };
+    assert!(picture("1.1", "b.png").unwrap() == first);
+    assert!(picture("01-scattering.2", "c.png").unwrap() != first);
+}
+
+#[test]
+fn what_is_no_lesson_or_more_than_one_is_refused() {
+    for (arguments, expected) in [
+        (
+            "--lesson 01-scatering",
+            "unknown lesson '01-scatering'; nearest: 01-scattering",
+        ),
+        (
+            "--lesson 1.99",
+            "step '99' of lesson '01-scattering': it has steps 1 to",
+        ),
+        ("--lesson 1.0", "step '0' of lesson '01-scattering'"),
+        ("--lesson no-such.md", "no-such.md"),
+        (
+            "--lesson 1 --session a.toml",
+            "'--lesson <NN[.STEP]>' cannot be used with '--session <FILE>'",
+        ),
+        (
+            "--lesson 1 --material gold",
+            "cannot be used with '--material",
+        ),
+        (
+            "--lesson 1 --view polar",
+            "cannot be used with '--view <ID>'",
+        ),
+        ("--lesson 1 --hold wi", "cannot be used with '--hold"),
+        ("--lesson 1 --figure web", "cannot be used with '--figure"),
+    ] {
+        let words = arguments.split(' ');
+        let words: Vec<&str> = ["render"]
+            .into_iter()
+            .chain(words)
+            .chain(["-o", "a.png"])
+            .collect();
+        let line = super::refused(&words, "");
+        assert!(line.contains(expected), "{arguments}: {line}");
+    }
+    let line = super::refused(&["render", "--lesson", "1", "-o", "a.txt"], "");
+    assert!(line.contains("a name that ends in .png"), "{line}");
+    let line = super::refused(&["export", "--lesson", "1", "-o", "a.svg"], "");
+    assert!(line.contains("unexpected argument '--lesson'"), "{line}");
+}
+
 #[test]
 fn figures_are_of_one_view_in_a_size_of_their_own() {
     for (arguments, expected) in [
