@@ -109,6 +109,22 @@ impl RenderArgs {
 }
 
 impl Arguments {
+    /// Refuses what only a picture has.
+    fn refuse_looks(&self) -> Result<()> {
+        let given = [
+            ("--size", self.size.is_some()),
+            ("--scale", self.scale.is_some()),
+            ("--theme", self.theme.is_some()),
+        ];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
+            None => Ok(()),
+            Some((argument, _)) => Err(Error::parse(
+                argument,
+                "a sheet is on A4, and light: it goes with a picture (.png) only",
+            )),
+        }
+    }
+
     /// The request, with the limits that concern several arguments checked.
     ///
     /// # Errors
@@ -163,7 +179,7 @@ impl Arguments {
     }
 }
 
-/// Renders the picture.
+/// Renders the picture, or the sheet of a lesson.
 ///
 /// # Errors
 /// Where the session cannot be read, the view is unknown, no adapter is found, or the picture cannot be written, and in a
@@ -171,8 +187,13 @@ impl Arguments {
 pub(super) fn run(arguments: &OfWindow) -> Result<()> {
     let request = &arguments.picture.request()?;
     if let Some(named) = arguments.lesson.named() {
-        require_png(&request.output)?;
-        let bytes = step(named, request)?;
+        let bytes = if output::ends_in(&request.output, lesson::PAPER) {
+            arguments.picture.refuse_looks()?;
+            lesson::sheet(named)?
+        } else {
+            require_png(&request.output)?;
+            step(named, request)?
+        };
         return output::write(&request.output, &bytes);
     }
     require_png(&request.output)?;
@@ -363,15 +384,12 @@ fn scale(text: &str) -> Result<f64> {
 
 /// Refuses a name that is not a picture's.
 fn require_png(path: &Path) -> Result<()> {
-    let is_png = path
-        .extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION));
-    if is_png {
+    if output::ends_in(path, EXTENSION) {
         return Ok(());
     }
     Err(Error::parse(
         format!("picture '{}'", path.display()),
-        "expected a name that ends in .png",
+        "expected a name that ends in .png, or with --lesson in .pdf",
     ))
 }
 
