@@ -7,11 +7,13 @@ use serde_json::{Value as Json, json};
 
 use super::output;
 use super::say::say;
-use bxdf::error::Result;
+use bxdf::error::{Error, Result};
 use bxdf_lab::quantities;
 use bxdf_study::lessons::{
     self, Expression, Fault, Kind, Lesson, Shelf, Step, Tolerance, plain, plain_spans,
 };
+
+mod sheet;
 
 /// Where errors say that the program's own lessons and questions stand.
 const FOLDERS: [&str; 2] = ["assets/lessons", "assets/questions"];
@@ -21,9 +23,11 @@ pub(super) struct Arguments {
     /// Go through every step, answer every question rightly and wrongly, and fail where one is broken
     #[arg(long)]
     check: bool,
-    /// The lessons to check: a file, or a folder of them [default: those of the program]
-    #[arg(value_name = "FILE|FOLDER", requires = "check")]
-    path: Option<PathBuf>,
+    #[command(flatten)]
+    sheet: sheet::OfSheet,
+    /// With --check: the lessons to check, a file or a folder of them. With --sheet: those whose questions are asked, each by its number, its id or its file (.md), as 1 or 01-scattering.2 [default: all of the program]
+    #[arg(value_name = "FILE|FOLDER|NN[.STEP]")]
+    names: Vec<PathBuf>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -41,7 +45,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<bool> {
         output::print(&listed_quantities())?;
         return Ok(true);
     }
-    let groups = match &arguments.path {
+    if arguments.sheet.is_wanted() {
+        arguments.sheet.write(&arguments.names)?;
+        return Ok(true);
+    }
+    let groups = match arguments.checked()? {
         Some(path) => {
             let shelf = Shelf::open(path)?;
             let place = path.display().to_string();
@@ -91,6 +99,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<bool> {
         output::print(&listed(&groups))?;
     }
     Ok(faults.is_empty())
+}
+
+impl Arguments {
+    /// The file or folder to be checked; `None` for what the program has.
+    fn checked(&self) -> Result<Option<&PathBuf>> {
+        let refused =
+            |path: &PathBuf, problem| Err(Error::parse(format!("'{}'", path.display()), problem));
+        match self.names.as_slice() {
+            [path, ..] if !self.check => refused(path, "it goes with --check or --sheet"),
+            [_, second, ..] => refused(second, "one file or folder is checked at a time"),
+            names => Ok(names.first()),
+        }
+    }
 }
 
 /// Lessons of one place.

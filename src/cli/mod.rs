@@ -76,7 +76,7 @@ enum Verb {
     Bench(bench::Arguments),
     /// Render the window into a picture
     #[cfg_attr(not(feature = "gui"), command(hide = true))]
-    Render(render::Arguments),
+    Render(render::OfWindow),
     /// Export a view as picture, drawing, numbers or mesh, or the material
     Export(render::Arguments),
 }
@@ -135,7 +135,7 @@ fn dispatch(verb: Option<Verb>) -> Result<ExitCode> {
                 return Ok(ExitCode::from(CHECK_FAILED));
             }
         }
-        Some(Verb::Render(arguments)) => render::run(&arguments.request()?)?,
+        Some(Verb::Render(arguments)) => render::run(&arguments)?,
         Some(Verb::Export(arguments)) => export::run(&arguments.request()?)?,
     }
     Ok(ExitCode::SUCCESS)

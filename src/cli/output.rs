@@ -29,6 +29,12 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     output.finish()
 }
 
+/// Whether the name of a file ends so, behind its last point.
+pub(super) fn ends_in(path: &Path, extension: &str) -> bool {
+    let end = path.extension();
+    end.is_some_and(|end| end.eq_ignore_ascii_case(extension))
+}
+
 /// A stream of results. A file is written beside its place and moved there by [`Output::finish`]; dropped before, it
 /// leaves nothing behind.
 pub(super) struct Output {

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::args::{self, Angles, Given};
+use super::output;
 use super::say;
 use bxdf::Material;
 use bxdf::error::{Error, Result, shown};
@@ -11,8 +12,11 @@ use bxdf_lab::analysis::Hold;
 use bxdf_study::colors::Theme;
 use bxdf_study::export::Format;
 use bxdf_study::export::figure::{USES, Use};
+use bxdf_study::lessons::Named;
 use bxdf_study::session::{Materials, Session, ViewId, wrapped_deg};
 use bxdf_study::views::{self, ViewKind, tradeoff};
+
+mod lesson;
 
 /// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
 const MAX_PIXELS: u32 = 8192;
@@ -26,7 +30,16 @@ const SCALE_RANGE: std::ops::RangeInclusive<f64> = 0.25..=8.0;
 /// The only kind of picture written.
 const EXTENSION: &str = "png";
 
-/// The arguments of `render`.
+/// The arguments of `render`: of a picture, or of a lesson.
+#[derive(clap::Args, Debug)]
+pub(super) struct OfWindow {
+    #[command(flatten)]
+    picture: Arguments,
+    #[command(flatten)]
+    lesson: lesson::OfLesson,
+}
+
+/// The arguments of a picture.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
     /// The session to start from
@@ -96,6 +109,22 @@ impl RenderArgs {
 }
 
 impl Arguments {
+    /// Refuses what only a picture has.
+    fn refuse_looks(&self) -> Result<()> {
+        let given = [
+            ("--size", self.size.is_some()),
+            ("--scale", self.scale.is_some()),
+            ("--theme", self.theme.is_some()),
+        ];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
+            None => Ok(()),
+            Some((argument, _)) => Err(Error::parse(
+                argument,
+                "a sheet is on A4, and light: it goes with a picture (.png) only",
+            )),
+        }
+    }
+
     /// The request, with the limits that concern several arguments checked.
     ///
     /// # Errors
@@ -150,12 +179,23 @@ impl Arguments {
     }
 }
 
-/// Renders the picture.
+/// Renders the picture, or the sheet of a lesson.
 ///
 /// # Errors
 /// Where the session cannot be read, the view is unknown, no adapter is found, or the picture cannot be written, and in a
 /// build without the window.
-pub(super) fn run(request: &RenderArgs) -> Result<()> {
+pub(super) fn run(arguments: &OfWindow) -> Result<()> {
+    let request = &arguments.picture.request()?;
+    if let Some(named) = arguments.lesson.named() {
+        let bytes = if output::ends_in(&request.output, lesson::PAPER) {
+            arguments.picture.refuse_looks()?;
+            lesson::sheet(named)?
+        } else {
+            require_png(&request.output)?;
+            step(named, request)?
+        };
+        return output::write(&request.output, &bytes);
+    }
     require_png(&request.output)?;
     let (session, view) = chosen(request, None)?;
     if view.is_none()
@@ -168,7 +208,7 @@ pub(super) fn run(request: &RenderArgs) -> Result<()> {
         ));
     }
     let bytes = drawn(request, session, view, Format::Png)?;
-    super::output::write(&request.output, &bytes)
+    output::write(&request.output, &bytes)
 }
 
 /// The picture or drawing of `session`, of `view` alone where it is given.
@@ -182,12 +222,41 @@ pub(super) fn drawn(
     view: Option<ViewId>,
     format: Format,
 ) -> Result<Vec<u8>> {
+    bxdf_ui::export::bytes(picture(request, session, view), format)
+}
+
+/// The window with the panel of a lesson open, at its first step where none is named.
+///
+/// # Errors
+/// Where no adapter is found, and in a build without the window.
+#[cfg(feature = "gui")]
+fn step(named: &Named, request: &RenderArgs) -> Result<Vec<u8>> {
+    let picture = picture(request, Session::default(), None);
+    picture.png_of_lesson(&named.lesson, named.step.unwrap_or(0))
+}
+
+/// No picture: this build has no window.
+///
+/// # Errors
+/// Always.
+#[cfg(not(feature = "gui"))]
+fn step(_: &Named, _: &RenderArgs) -> Result<Vec<u8>> {
+    Err(super::say::no_window())
+}
+
+/// The picture of `session`, of `view` alone where it is given, before it is drawn.
+#[cfg(feature = "gui")]
+fn picture(
+    request: &RenderArgs,
+    session: Session,
+    view: Option<ViewId>,
+) -> bxdf_ui::headless::Picture {
     use bxdf_ui::headless::{OnScreen, Picture, Title};
 
     let purpose = request.figure.unwrap_or(Use::Screen);
     let theme = request.theme.unwrap_or(purpose.theme());
     let (size, scale) = (request.size, request.scale as f32);
-    let picture = match view.filter(|_| purpose != Use::Screen) {
+    match view.filter(|_| purpose != Use::Screen) {
         Some(view) => {
             let screen = OnScreen { size, scale };
             Picture::of_figure(session, view, (purpose, Title::Automatic, theme), screen)
@@ -200,8 +269,7 @@ pub(super) fn drawn(
             theme: bxdf_ui::theme::as_drawn(theme),
             figure: None,
         },
-    };
-    bxdf_ui::export::bytes(picture, format)
+    }
 }
 
 /// No picture: this build has no window.
@@ -322,17 +390,13 @@ fn scale(text: &str) -> Result<f64> {
 
 /// Refuses a name that is not a picture's.
 fn require_png(path: &Path) -> Result<()> {
-    let is_png = path
-        .extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION));
-    if is_png {
-        Ok(())
-    } else {
-        Err(Error::parse(
-            format!("picture '{}'", path.display()),
-            "expected a name that ends in .png",
-        ))
+    if output::ends_in(path, EXTENSION) {
+        return Ok(());
     }
+    Err(Error::parse(
+        format!("picture '{}'", path.display()),
+        "expected a name that ends in .png, or with --lesson in .pdf",
+    ))
 }
 
 #[cfg(test)]

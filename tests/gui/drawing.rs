@@ -9,7 +9,7 @@
 use std::collections::HashMap;
 
 use brdf_explorer::study::views::VIEWS;
-use brdf_explorer::ui::export::svg;
+use brdf_explorer::ui::export::{shapes, svg};
 use egui::epaint::{ClippedShape, TextShape};
 use egui::{Color32, Mesh, Pos2, Rect, Shape, Stroke, Theme, pos2, vec2};
 
@@ -311,7 +311,7 @@ fn a_drawing_has_every_shape_that_is_painted_and_no_other() {
                 print_width_mm: None,
                 background: Color32::WHITE,
             };
-            let pictures = svg::Pictures {
+            let pictures = shapes::Pictures {
                 of_texture: &image_of,
                 of_scene: &|_| None,
             };

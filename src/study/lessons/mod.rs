@@ -8,6 +8,7 @@ mod check;
 mod expression;
 pub mod formula;
 mod lesson;
+mod named;
 mod node;
 mod parse;
 mod patch;
@@ -23,6 +24,7 @@ pub use ask::{Ask, Choice, Kind, Number, Reach, Tolerance, Verdict, right_choice
 pub use check::{Fault, check};
 pub use expression::{Condition, Expression};
 pub use lesson::{Lesson, Start, Step};
+pub use named::Named;
 pub use patch::Patch;
 pub use read::read;
 pub use scenes::Scenes;

@@ -110,7 +110,11 @@ fn files_of(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-fn opened(path: &Path) -> Result<Lesson> {
+/// The lesson of a file.
+///
+/// # Errors
+/// Where it cannot be read, and where it is no lesson.
+pub(super) fn opened(path: &Path) -> Result<Lesson> {
     let place = path.display().to_string();
     let text = files::text_at(path, "a lesson is text")?;
     let id = path.file_stem().map(|stem| stem.to_string_lossy());

@@ -8,6 +8,7 @@ use wgpu::Backends;
 use super::app::App;
 pub use super::app::{Figure, OnScreen, Picture, Title};
 use bxdf::error::{Error, Result};
+use bxdf_study::lessons::Lesson;
 
 mod controls;
 mod page;
@@ -42,6 +43,18 @@ impl Picture {
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
     pub fn image(self) -> Result<image::RgbaImage> {
         rendered(&mut self.drawn()?)
+    }
+
+    /// Draws the window with the panel of a lesson open at the step at index `step`, which comes in place of the session, as
+    /// the bytes of a PNG file.
+    ///
+    /// # Errors
+    /// [`Error::Platform`] without a graphics adapter, or where it fails.
+    pub fn png_of_lesson(self, lesson: &Lesson, step: usize) -> Result<Vec<u8>> {
+        let mut harness = self.settled(|app| app.for_picture(None))?;
+        harness.state_mut().open_lesson(lesson, step);
+        harness.run_ok();
+        encoded(&rendered(&mut harness)?, None)
     }
 
     /// The running application behind the picture, settled, which can draw it: as pictures are, without what is there for a

@@ -246,8 +246,9 @@ pub fn plain_text(ui: &mut egui::Ui) {
     ui.style_mut().text_styles = ui.ctx().global_style().text_styles.clone();
 }
 
-/// Sets fonts, text sizes and spacing for both themes.
-pub fn apply(ctx: &egui::Context) {
+/// The fonts of all families.
+#[must_use]
+pub fn fonts() -> FontDefinitions {
     // The raised minus of 10⁻³ is in no font for text.
     let mut fonts = FontDefinitions::default();
     let families = &mut fonts.families;
@@ -258,7 +259,12 @@ pub fn apply(ctx: &egui::Context) {
         text.extend(more);
     }
     math_fonts::add(&mut fonts);
-    ctx.set_fonts(fonts);
+    fonts
+}
+
+/// Sets fonts, text sizes and spacing for both themes.
+pub fn apply(ctx: &egui::Context) {
+    ctx.set_fonts(fonts());
     ctx.all_styles_mut(|style| {
         let font = |size: f32| FontId::new(size, FontFamily::Proportional);
         style.text_styles.insert(TextStyle::Heading, font(15.0));

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use egui::{Color32, Pos2, Rect, Stroke};
+use egui::{Color32, CornerRadius, Pos2, Rect, Stroke};
+
+use crate::export::shapes::straight;
 
 /// A length to a hundredth of a point, as short as it goes.
 pub(super) fn short(x: f32) -> String {
@@ -61,17 +63,9 @@ pub(super) fn turned(angle: f32, pivot: Pos2) -> String {
     )
 }
 
-/// A colour as an attribute. One that is added to what lies under it, as egui tints rows of tables, is a veil of its hue:
-/// the format has no adding.
+/// A colour as an attribute.
 pub(super) fn paint(what: &str, color: Color32) -> String {
-    let [r, g, b, alpha] = match color.to_array() {
-        [r, g, b, 0] => {
-            let most = r.max(g).max(b);
-            let scaled = |x: u8| (f32::from(x) * 255.0 / f32::from(most.max(1))).round() as u8;
-            [scaled(r), scaled(g), scaled(b), most]
-        }
-        _ => color.to_srgba_unmultiplied(),
-    };
+    let [r, g, b, alpha] = straight(color);
     match alpha {
         0 => format!("{what}=\"none\""),
         255 => format!("{what}=\"#{r:02x}{g:02x}{b:02x}\""),
@@ -103,4 +97,28 @@ pub(super) fn escaped(text: &str) -> String {
         .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
+}
+
+/// The path of a rectangle whose corners are not all as round.
+pub(super) fn rounded(rect: Rect, corners: CornerRadius) -> String {
+    let most = 0.5 * rect.width().min(rect.height());
+    let [nw, ne, se, sw] =
+        [corners.nw, corners.ne, corners.se, corners.sw].map(|r| f32::from(r).min(most));
+    let [left, right, top, bottom] =
+        [rect.left(), rect.right(), rect.top(), rect.bottom()].map(short);
+    let arc = |r: f32, x: &str, y: &str| format!("A{} {} 0 0 1 {x} {y}", short(r), short(r));
+    let inner = |edge: f32, by: f32| short(edge + by);
+    [
+        format!("M{} {top}", inner(rect.left(), nw)),
+        format!("L{} {top}", inner(rect.right(), -ne)),
+        arc(ne, &right, &inner(rect.top(), ne)),
+        format!("L{right} {}", inner(rect.bottom(), -se)),
+        arc(se, &inner(rect.right(), -se), &bottom),
+        format!("L{} {bottom}", inner(rect.left(), sw)),
+        arc(sw, &left, &inner(rect.bottom(), -sw)),
+        format!("L{left} {}", inner(rect.top(), nw)),
+        arc(nw, &inner(rect.left(), nw), &top),
+        "Z".to_owned(),
+    ]
+    .concat()
 }

@@ -1,7 +1,5 @@
 //! The pictures in a drawing.
 
-use std::sync::Arc;
-
 use egui::ColorImage;
 
 use crate::headless;
@@ -20,9 +18,3 @@ pub(super) fn png_of(image: &ColorImage) -> Result<Vec<u8>> {
     let image = image::RgbaImage::from_raw(width, height, bytes.collect()).unwrap_or_default();
     headless::encoded(&image, None)
 }
-
-/// The picture of a scene that the graphics processor draws, by the rectangle that it fills.
-pub(super) type SceneAt<'a> = &'a dyn Fn(egui::Rect) -> Option<ColorImage>;
-
-/// The picture behind a texture, if it is one of the views'.
-pub(super) type ImageOf<'a> = &'a dyn Fn(egui::TextureId) -> Option<Arc<ColorImage>>;

@@ -1,24 +1,20 @@
 //! What egui has painted as a vector drawing: lines stay lines, text stays text.
-//!
-//! There is no second drawing path: the shapes are those of the window, taken before they become triangles.
 
 use std::fmt::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use egui::epaint::{
-    BandShape, CircleShape, ClippedShape, ColorMode, EllipseShape, Mesh, PathShape, PathStroke,
-    RectShape,
-};
-use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, Shape, Stroke, Vec2};
+use egui::epaint::ClippedShape;
+use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, Stroke, Vec2};
 
+use super::runs::Run;
+use super::shapes::{self, Canvas, Ink, Pictures, Plate};
 use bxdf::error::Result;
 use elements::{path_of, place, short, stroked, turned};
-use images::{ImageOf, SceneAt, png_of};
+use images::png_of;
 
 mod elements;
 mod images;
-mod pieces;
 mod text;
 
 /// The page of a drawing.
@@ -32,15 +28,6 @@ pub struct Page {
     pub background: Color32,
 }
 
-/// What knows the pictures in a drawing.
-#[derive(Clone, Copy)]
-pub struct Pictures<'a> {
-    /// Those behind textures.
-    pub of_texture: ImageOf<'a>,
-    /// Those of what the graphics processor alone draws (the 3D lobe), which has no shapes.
-    pub of_scene: SceneAt<'a>,
-}
-
 /// The drawing of `shapes` on this page, with these pictures.
 ///
 /// # Errors
@@ -49,7 +36,7 @@ pub fn drawing(shapes: &[ClippedShape], page: Page, pictures: Pictures<'_>) -> R
     let mut writer = Writer {
         text: String::new(),
         pending: None,
-        pictures,
+        clips: 0,
     };
     let Page {
         size,
@@ -68,88 +55,67 @@ pub fn drawing(shapes: &[ClippedShape], page: Page, pictures: Pictures<'_>) -> R
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
          width=\"{across}\" height=\"{down}\" viewBox=\"0 0 {width} {height}\" font-family=\"Ubuntu, sans-serif\">"
     );
-    writer.element("rect", &place(page), background, Stroke::NONE);
-    let mut clip = None;
-    for (index, clipped) in shapes.iter().enumerate() {
-        let inside = clipped.clip_rect.intersect(page);
-        if !inside.is_positive() {
-            continue;
-        }
-        if clip != Some(inside) {
-            writer.flush();
-            if clip.is_some() {
-                writer.text += "</g>\n";
-            }
-            let _ = writeln!(
-                writer.text,
-                "<clipPath id=\"c{index}\"><rect {}/></clipPath>\n<g clip-path=\"url(#c{index})\">",
-                place(inside)
-            );
-            clip = Some(inside);
-        }
-        writer.shape(&clipped.shape)?;
-    }
-    writer.flush();
-    if clip.is_some() {
-        writer.text += "</g>\n";
-    }
+    writer.element("rect", &place(page), Ink::filled(background));
+    shapes::draw(&mut writer, shapes, page, pictures)?;
+    writer.end_clip();
     writer.text += "</svg>\n";
     Ok(writer.text)
 }
 
-/// By how much the pieces of a curve may leave it, in points.
-const FLATNESS: f32 = 0.05;
-
-struct Writer<'a> {
+struct Writer {
     text: String,
     /// Lines of one stroke that follow one another, as one path.
     pending: Option<(Stroke, String)>,
-    pictures: Pictures<'a>,
+    /// How many clips there were; the last one is open.
+    clips: usize,
 }
 
-impl Writer<'_> {
-    /// Every kind of shape is named: one that is new to egui does not compile before it has its form here.
-    fn shape(&mut self, shape: &Shape) -> Result<()> {
-        match shape {
-            Shape::Noop => {}
-            Shape::Vec(shapes) => shapes.iter().try_for_each(|shape| self.shape(shape))?,
-            Shape::LineSegment { points, stroke } => self.line(points, *stroke),
-            Shape::Path(path) => self.path(path),
-            Shape::Band(band) => self.band(band),
-            Shape::Circle(circle) => self.circle(circle),
-            Shape::Ellipse(ellipse) => self.ellipse(ellipse),
-            Shape::Rect(rect) => self.rect(rect)?,
-            Shape::Text(text) => {
-                self.flush();
-                self.galley(text);
-            }
-            Shape::Mesh(mesh) => self.mesh(mesh)?,
-            Shape::QuadraticBezier(curve) => self.path(&PathShape {
-                points: curve.flatten(Some(FLATNESS)),
-                closed: curve.closed,
-                fill: curve.fill,
-                stroke: curve.stroke.clone(),
-            }),
-            Shape::CubicBezier(curve) => self.path(&PathShape {
-                points: curve.flatten(Some(FLATNESS)),
-                closed: curve.closed,
-                fill: curve.fill,
-                stroke: curve.stroke.clone(),
-            }),
-            Shape::Callback(callback) => {
-                if let Some(image) = (self.pictures.of_scene)(callback.rect) {
-                    self.image(callback.rect, "", &image)?;
-                }
-            }
+impl Writer {
+    /// Writes the lines that wait.
+    fn flush(&mut self) {
+        if let Some((stroke, d)) = self.pending.take() {
+            let d = format!("d=\"{d}\" stroke-linejoin=\"round\"");
+            let ink = Ink {
+                fill: Color32::TRANSPARENT,
+                stroke,
+            };
+            self.element("path", &d, ink);
         }
-        Ok(())
+    }
+
+    /// An element with a fill and a stroke, over all before it.
+    fn element(&mut self, name: &str, geometry: &str, ink: Ink) {
+        self.flush();
+        let _ = writeln!(
+            self.text,
+            "<{name} {geometry} {}{}/>",
+            elements::paint("fill", ink.fill),
+            stroked(ink.stroke)
+        );
+    }
+
+    fn end_clip(&mut self) {
+        self.flush();
+        if self.clips > 0 {
+            self.text += "</g>\n";
+        }
+    }
+}
+
+impl Canvas for Writer {
+    fn clip(&mut self, inside: Rect) {
+        self.end_clip();
+        let number = self.clips;
+        self.clips += 1;
+        let _ = writeln!(
+            self.text,
+            "<clipPath id=\"c{number}\"><rect {}/></clipPath>\n<g clip-path=\"url(#c{number})\">",
+            place(inside)
+        );
     }
 
     /// A line, joined to those of its stroke before it.
     fn line(&mut self, points: &[Pos2], stroke: Stroke) {
-        if stroke.is_empty() || points.len() < 2 {
-            return;
-        }
         if self
             .pending
             .as_ref()
@@ -161,169 +127,67 @@ impl Writer<'_> {
         *d += &path_of(points);
     }
 
-    /// Writes the lines that wait.
-    fn flush(&mut self) {
-        if let Some((stroke, d)) = self.pending.take() {
-            let d = format!("d=\"{d}\" stroke-linejoin=\"round\"");
-            self.element("path", &d, Color32::TRANSPARENT, stroke);
-        }
+    fn area(&mut self, outlines: &[Vec<Pos2>], is_closed: bool, ink: Ink) {
+        let close = if is_closed { "Z" } else { "" };
+        let d: String = outlines
+            .iter()
+            .map(|outline| path_of(outline) + close)
+            .collect();
+        self.element("path", &format!("d=\"{d}\""), ink);
     }
 
-    /// An element with a fill and a stroke, over all before it; nothing where both are empty.
-    fn element(&mut self, name: &str, geometry: &str, fill: Color32, stroke: Stroke) {
-        self.flush();
-        if fill == Color32::TRANSPARENT && stroke.is_empty() {
+    fn ellipse(&mut self, centre: Pos2, radius: Vec2, angle: f32, ink: Ink) {
+        let (x, y) = (short(centre.x), short(centre.y));
+        if radius.x == radius.y {
+            let geometry = format!("cx=\"{x}\" cy=\"{y}\" r=\"{}\"", short(radius.x));
+            self.element("circle", &geometry, ink);
             return;
         }
-        let _ = writeln!(
-            self.text,
-            "<{name} {geometry} {}{}/>",
-            elements::paint("fill", fill),
-            stroked(stroke)
-        );
-    }
-
-    fn path(&mut self, path: &PathShape) {
-        let stroke = solid(&path.stroke, &path.points);
-        if !path.closed && path.fill == Color32::TRANSPARENT {
-            self.line(&path.points, stroke);
-            return;
-        }
-        let close = if path.closed { "Z" } else { "" };
-        let geometry = format!("d=\"{}{close}\"", path_of(&path.points));
-        self.element("path", &geometry, path.fill, stroke);
-    }
-
-    /// A band of varying width: its outline, each stretch of ascending x by itself.
-    fn band(&mut self, band: &BandShape) {
-        let outlines = pieces::of_band(band).into_iter();
-        let d: String = outlines.map(|outline| path_of(&outline) + "Z").collect();
-        if !d.is_empty() {
-            let geometry = format!("d=\"{d}\"");
-            self.element("path", &geometry, band.fill, band.stroke);
-        }
-    }
-
-    fn circle(&mut self, circle: &CircleShape) {
         let geometry = format!(
-            "cx=\"{}\" cy=\"{}\" r=\"{}\"",
-            short(circle.center.x),
-            short(circle.center.y),
-            short(circle.radius)
-        );
-        self.element("circle", &geometry, circle.fill, circle.stroke);
-    }
-
-    fn ellipse(&mut self, ellipse: &EllipseShape) {
-        let (centre, radius) = (ellipse.center, ellipse.radius);
-        let geometry = format!(
-            "cx=\"{}\" cy=\"{}\" rx=\"{}\" ry=\"{}\"{}",
-            short(centre.x),
-            short(centre.y),
+            "cx=\"{x}\" cy=\"{y}\" rx=\"{}\" ry=\"{}\"{}",
             short(radius.x),
             short(radius.y),
-            turned(ellipse.angle, centre)
+            turned(angle, centre)
         );
-        self.element("ellipse", &geometry, ellipse.fill, ellipse.stroke);
+        self.element("ellipse", &geometry, ink);
     }
 
-    fn rect(&mut self, shape: &RectShape) -> Result<()> {
-        let turn = turned(shape.angle, shape.rect.center());
-        let textured = shape.brush.as_ref().filter(|brush| brush.uv != Rect::ZERO);
-        let image = textured.and_then(|brush| {
-            (self.pictures.of_texture)(brush.fill_texture_id).map(|image| (image, brush.uv))
-        });
-        let mut fill = shape.fill;
-        if let Some((image, uv)) = image {
-            self.image(shape.rect, &turn, &pieces::cropped(&image, uv, fill))?;
-            fill = Color32::TRANSPARENT;
-        }
-        let inset = match shape.stroke_kind {
-            _ if shape.stroke.is_empty() => 0.0,
-            egui::StrokeKind::Inside => -0.5 * shape.stroke.width,
-            egui::StrokeKind::Middle => 0.0,
-            egui::StrokeKind::Outside => 0.5 * shape.stroke.width,
-        };
-        let rect = shape.rect.expand(inset);
-        let blur = if shape.blur_width > 0.0 {
-            format!(
-                " style=\"filter:blur({}px)\"",
-                short(0.5 * shape.blur_width)
-            )
+    fn plate(&mut self, plate: &Plate, ink: Ink) {
+        let turn = turned(plate.angle, plate.rect.center());
+        let blur = if plate.blur > 0.0 {
+            format!(" style=\"filter:blur({}px)\"", short(0.5 * plate.blur))
         } else {
             String::new()
         };
-        let corners = shape.corner_radius;
+        let corners = plate.corners;
         if corners.is_same() {
-            let mut geometry = place(rect);
+            let mut geometry = place(plate.rect);
             if corners != CornerRadius::ZERO {
                 let _ = write!(geometry, " rx=\"{}\"", corners.nw);
             }
-            let geometry = geometry + &turn + &blur;
-            self.element("rect", &geometry, fill, shape.stroke);
+            self.element("rect", &(geometry + &turn + &blur), ink);
         } else {
-            let geometry = format!("d=\"{}\"{turn}{blur}", pieces::rounded(rect, corners));
-            self.element("path", &geometry, fill, shape.stroke);
-        }
-        Ok(())
-    }
-
-    /// A picture, or an area of triangles.
-    fn mesh(&mut self, mesh: &Mesh) -> Result<()> {
-        if let Some(image) = (self.pictures.of_texture)(mesh.texture_id) {
-            let corners = mesh.vertices.iter().map(|vertex| vertex.uv);
-            let uv = Rect::from_points(&corners.collect::<Vec<_>>());
-            let tint = mesh.vertices.first().map_or(Color32::WHITE, |v| v.color);
-            return self.image(mesh.calc_bounds(), "", &pieces::cropped(&image, uv, tint));
-        }
-        // Triangles of one colour that follow one another are one path.
-        let mut run: Option<(Color32, String)> = None;
-        for corners in mesh.indices.chunks_exact(3) {
-            let corners: Vec<_> = corners
-                .iter()
-                .filter_map(|index| mesh.vertices.get(*index as usize))
-                .collect();
-            let [a, b, c] = corners[..] else { continue };
-            let corners = [a, b, c].map(|vertex| (vertex.pos, vertex.color));
-            for (places, color) in pieces::shades(corners) {
-                if run.as_ref().is_some_and(|(other, _)| *other != color) {
-                    self.fill(run.take());
-                }
-                let (_, d) = run.get_or_insert_with(|| (color, String::new()));
-                *d += &path_of(&places);
-                d.push('Z');
-            }
-        }
-        self.fill(run);
-        Ok(())
-    }
-
-    fn fill(&mut self, run: Option<(Color32, String)>) {
-        if let Some((color, d)) = run {
-            self.element("path", &format!("d=\"{d}\""), color, Stroke::NONE);
+            let d = elements::rounded(plate.rect, corners);
+            self.element("path", &format!("d=\"{d}\"{turn}{blur}"), ink);
         }
     }
 
-    fn image(&mut self, rect: Rect, turn: &str, image: &ColorImage) -> Result<()> {
+    fn image(&mut self, rect: Rect, angle: f32, image: &ColorImage) -> Result<()> {
         self.flush();
         let data = STANDARD.encode(png_of(image)?);
         let _ = writeln!(
             self.text,
-            "<image {}{turn} preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,{data}\"/>",
-            place(rect)
+            "<image {}{} preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,{data}\"/>",
+            place(rect),
+            turned(angle, rect.center())
         );
         Ok(())
     }
-}
 
-/// A stroke of one colour; that of its start where it has several.
-fn solid(stroke: &PathStroke, points: &[Pos2]) -> Stroke {
-    let color = match (&stroke.color, points.first()) {
-        (ColorMode::Solid(color), _) => *color,
-        (ColorMode::UV(color), Some(first)) => color(Rect::from_points(points), *first),
-        (ColorMode::UV(_), None) => Color32::TRANSPARENT,
-    };
-    Stroke::new(stroke.width, color)
+    fn text(&mut self, run: &Run, angle: f32, pivot: Pos2) {
+        self.flush();
+        self.stretch(run, angle, pivot);
+    }
 }
 
 #[cfg(test)]

@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
-use egui::epaint::{CubicBezierShape, QuadraticBezierShape, StrokeKind, TextShape};
+use egui::epaint::{
+    BandShape, CubicBezierShape, EllipseShape, Mesh, QuadraticBezierShape, RectShape, StrokeKind,
+    TextShape,
+};
 use egui::text::{LayoutJob, TextFormat};
-use egui::{FontFamily, FontId, TextureId, pos2, vec2};
+use egui::{FontFamily, FontId, Shape, TextureId, pos2, vec2};
 
-use super::pieces::WHOLE;
 use super::*;
+use crate::export::pieces::{self, WHOLE};
 
 const RED: Color32 = Color32::RED;
 const BLUE: Color32 = Color32::BLUE;

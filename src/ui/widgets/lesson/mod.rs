@@ -7,6 +7,6 @@ mod step;
 
 pub use contents::Group;
 pub use contents::show as list;
-pub use prose::Prose;
+pub use prose::{Prose, written};
 pub use question::Done;
 pub use step::{Shown, Turn, show as step};

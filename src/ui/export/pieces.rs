@@ -1,9 +1,7 @@
-//! The parts of shapes that are no element of the format by themselves.
+//! The parts of shapes that are no element of a format by themselves.
 
 use egui::epaint::{BandPoint, BandShape};
-use egui::{Color32, ColorImage, CornerRadius, Pos2, Rect, StrokeKind, Vec2, emath::Rot2, pos2};
-
-use super::elements::short;
+use egui::{Color32, ColorImage, Pos2, Rect, StrokeKind, Vec2, emath::Rot2, pos2};
 
 /// The whole of a texture.
 pub(super) const WHOLE: Rect = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
@@ -82,28 +80,4 @@ fn quartered([a, b, c]: [Corner; 3]) -> [[Corner; 3]; 4] {
     let between = |a: Corner, b: Corner| (a.0.lerp(b.0, 0.5), a.1.lerp_to_gamma(b.1, 0.5));
     let (ab, bc, ca) = (between(a, b), between(b, c), between(c, a));
     [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-}
-
-/// The path of a rectangle whose corners are not all as round.
-pub(super) fn rounded(rect: Rect, corners: CornerRadius) -> String {
-    let most = 0.5 * rect.width().min(rect.height());
-    let [nw, ne, se, sw] =
-        [corners.nw, corners.ne, corners.se, corners.sw].map(|r| f32::from(r).min(most));
-    let [left, right, top, bottom] =
-        [rect.left(), rect.right(), rect.top(), rect.bottom()].map(short);
-    let arc = |r: f32, x: &str, y: &str| format!("A{} {} 0 0 1 {x} {y}", short(r), short(r));
-    let inner = |edge: f32, by: f32| short(edge + by);
-    [
-        format!("M{} {top}", inner(rect.left(), nw)),
-        format!("L{} {top}", inner(rect.right(), -ne)),
-        arc(ne, &right, &inner(rect.top(), ne)),
-        format!("L{right} {}", inner(rect.bottom(), -se)),
-        arc(se, &inner(rect.right(), -se), &bottom),
-        format!("L{} {bottom}", inner(rect.left(), sw)),
-        arc(sw, &left, &inner(rect.bottom(), -sw)),
-        format!("L{left} {}", inner(rect.top(), nw)),
-        arc(nw, &inner(rect.left(), nw), &top),
-        "Z".to_owned(),
-    ]
-    .concat()
 }
