@@ -21,7 +21,7 @@ impl Named {
     /// where no lesson has it; or the path of a file that ends in `.md`. STEP: from 1 on.
     ///
     /// # Errors
-    /// [`Error::Unknown`] where there is no such lesson, with the nearest; [`Error::Parse`] where it has no such step, and
+    /// [`Error::UnknownId`] where there is no such lesson, with the nearest; [`Error::Parse`] where it has no such step, and
     /// where a file is no lesson; [`Error::Io`] where it cannot be read.
     pub fn read(text: &str) -> Result<Self> {
         if let Some(lesson) = found(text) {

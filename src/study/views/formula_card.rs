@@ -9,8 +9,10 @@ use super::words::words;
 use crate::answers::Answers;
 use crate::export::names;
 use crate::export::table::{Table, Value};
+use crate::number::{NumberSpec, Refused};
 use crate::session::Session;
 use bxdf::Component;
+use bxdf::material::MAX_COMPONENTS;
 use bxdf_lab::analysis::Hold;
 use bxdf_lab::formula_card::{Reading, Term};
 use std::f64::consts::PI;
@@ -37,6 +39,10 @@ words! {
         PiF = "π f",
     }
 }
+
+/// The place of the lobe among those of a material.
+static LOBE: NumberSpec =
+    NumberSpec::new("formula_card.lobe", [0.0, (MAX_COMPONENTS - 1) as f64]).whole();
 
 /// What the card shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -110,6 +116,10 @@ impl ViewOptions for Options {
 
     fn is_of_held(&self) -> bool {
         false
+    }
+
+    fn check_whole(&self) -> Result<(), Refused> {
+        LOBE.checked(self.lobe as f64).map(|_| ())
     }
 
     /// The terms at the light and the viewer.

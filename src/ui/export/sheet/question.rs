@@ -59,11 +59,42 @@ pub(super) fn solved(lesson: &Lesson, step: usize, ask: &Ask, begun: &Session) -
         }
         Kind::Reach(reach) => {
             reach.solution.apply(&mut after).map_err(refused)?;
-            Answer::Words(format!("For instance: {}", state_line(&after)))
+            Answer::Words(format!("For instance: {}", done(begun, &after)))
         }
     };
     lesson.state_after(step, &mut after).map_err(refused)?;
     Ok(Solved { answer, after })
+}
+
+/// What was done to the selected material, the light, the viewer and the turn of the surface; the whole state where none of them is another.
+fn done(before: &Session, after: &Session) -> String {
+    let material = |session: &Session| session.materials.selected().material.to_string();
+    let changed = [
+        (material(before), material(after)),
+        (directions(before), directions(after)),
+        (turn(before), turn(after)),
+    ];
+    let changed = changed
+        .into_iter()
+        .filter(|(before, after)| before != after);
+    let words: Vec<String> = changed.map(|(_, after)| after).collect();
+    if words.is_empty() {
+        state_line(after)
+    } else {
+        words.join("; ")
+    }
+}
+
+/// By how much the surface is turned.
+fn turn(session: &Session) -> String {
+    format!("turned by {}", format::degrees(session.rotation_deg))
+}
+
+/// The light and the viewer of a state.
+fn directions(session: &Session) -> String {
+    let theta = |direction| format::degrees(Spherical::of(direction).theta_deg);
+    let [light, viewer] = [session.light(), session.viewer()].map(theta);
+    format!("light at {light}, viewer at {viewer}")
 }
 
 /// The materials of a state, and its light and viewer.
@@ -73,9 +104,7 @@ pub(super) fn state_line(session: &Session) -> String {
         .shown()
         .map(|entry| materials.title(entry))
         .collect();
-    let theta = |direction| format::degrees(Spherical::of(direction).theta_deg);
-    let [light, viewer] = [session.light(), session.viewer()].map(theta);
-    format!("{}; light at {light}, viewer at {viewer}", names.join(", "))
+    format!("{}; {}", names.join(", "), directions(session))
 }
 
 /// Writes a question with its number.
@@ -143,5 +172,26 @@ fn choices(ui: &mut Ui, choices: &[Choice], right: Option<usize>, prose: &mut Pr
             }
             ui.vertical(|ui| prose.line(ui, &choice.text));
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_done_is_what_is_another() {
+        let before = Session::default();
+        let mut after = before.clone();
+        assert_eq!(done(&before, &after), state_line(&after));
+        after.theta_deg = before.theta_deg + 20.0;
+        assert_eq!(done(&before, &after), directions(&after));
+        let material = "phong:exponent=20".parse().unwrap();
+        after.materials.selected_mut().material = material;
+        let both = format!("phong:exponent=20; {}", directions(&after));
+        assert_eq!(done(&before, &after), both);
+        let mut turned = before.clone();
+        turned.rotation_deg = 90.0;
+        assert_eq!(done(&before, &turned), "turned by 90°");
     }
 }
