@@ -366,26 +366,21 @@ fn size(text: &str) -> Result<[u32; 2]> {
             format!("expected WxH in points, each 1 to {MAX_PIXELS}"),
         )
     };
-    let side = |text: &str| {
-        text.parse()
-            .ok()
-            .filter(|side| (1..=MAX_PIXELS).contains(side))
-            .ok_or_else(problem)
-    };
+    let is_allowed = |side: &u32| (1..=MAX_PIXELS).contains(side);
+    let side = |text: &str| text.parse().ok().filter(is_allowed).ok_or_else(problem);
     let (width, height) = text.split_once('x').ok_or_else(problem)?;
     Ok([side(width)?, side(height)?])
 }
 
 fn scale(text: &str) -> Result<f64> {
-    args::finite(text)
-        .filter(|scale| SCALE_RANGE.contains(scale))
-        .ok_or_else(|| {
-            let (min, max) = (SCALE_RANGE.start(), SCALE_RANGE.end());
-            Error::parse(
-                format!("scale '{}'", shown(text)),
-                format!("expected {min} to {max} pixels per point"),
-            )
-        })
+    let scale = args::finite(text).filter(|scale| SCALE_RANGE.contains(scale));
+    scale.ok_or_else(|| {
+        let (min, max) = (SCALE_RANGE.start(), SCALE_RANGE.end());
+        Error::parse(
+            format!("scale '{}'", shown(text)),
+            format!("expected {min} to {max} pixels per point"),
+        )
+    })
 }
 
 /// Refuses a name that is not a picture's.

@@ -16,7 +16,7 @@ pub struct Learning {
     pub(super) is_seen: bool,
     /// The lessons that a person opened.
     pub(super) opened: Vec<Lesson>,
-    /// Whether the list has just come.
+    /// Whether the list has just come by a key.
     pub(super) is_new: bool,
     /// What is looked for in the list.
     pub(super) typed: String,
@@ -40,7 +40,7 @@ pub(super) struct At {
     pub(super) before: Option<Session>,
     /// Whether the state behind the question is to be shown, once nothing is in the hand.
     pub(super) is_after_due: bool,
-    /// Whether the step has just come.
+    /// Whether the step has just come by a key, which goes on with it.
     pub(super) is_new: bool,
 }
 
@@ -54,7 +54,7 @@ impl At {
             begun,
             before: None,
             is_after_due: false,
-            is_new: true,
+            is_new: false,
             lesson,
             step,
         })

@@ -15,9 +15,9 @@ use bxdf_study::store::Progress;
 
 impl App {
     /// Shows the panel of lessons, or hides it.
-    pub fn switch_learning(&mut self) {
+    pub fn switch_learning(&mut self, ctx: &Context) {
         self.learning.is_shown ^= true;
-        self.learning.is_new = self.learning.is_shown;
+        self.learning.is_new = self.learning.is_shown && is_by_key(ctx);
     }
 
     /// Whether the panel of lessons is shown.
@@ -67,12 +67,20 @@ impl App {
         self.learning.is_shown && self.learning.at.as_ref().is_some_and(is_there)
     }
 
+    /// Lets the keyboard go on from the step that has just come, where a key has brought it.
+    pub fn attend_step(&mut self, ctx: &Context) {
+        if let Some(at) = &mut self.learning.at {
+            at.is_new = is_by_key(ctx);
+        }
+    }
+
     /// Goes so many steps on.
-    pub fn step(&mut self, by: isize) {
+    pub fn step(&mut self, by: isize, ctx: &Context) {
         let at = self.learning.at.as_ref();
         let step = at.and_then(|at| at.step.checked_add_signed(by));
         if let Some(step) = step.filter(|_| self.has_step(by)) {
             self.go_to_step(step);
+            self.attend_step(ctx);
         }
     }
 
@@ -84,7 +92,7 @@ impl App {
         };
         if let Some(begun) = begun(&at.lesson, step, room) {
             (at.step, at.before, at.is_after_due) = (step, None, false);
-            at.is_new = true;
+            at.is_new = false;
             at.begun = begun;
             self.session.clone_from(&at.begun);
             let is_revealed = at.works.get(step).is_some_and(Work::is_revealed);
@@ -158,6 +166,7 @@ impl App {
         self.learning.typed = typed;
         if let Some(lesson) = chosen {
             self.open_lesson(&lesson, 0);
+            self.attend_step(ui.ctx());
         }
     }
 
@@ -201,7 +210,10 @@ impl App {
         }
         self.learning.at = Some(at);
         match turn {
-            Some(Turn::To(step)) => self.go_to_step(step),
+            Some(Turn::To(step)) => {
+                self.go_to_step(step);
+                self.attend_step(ui.ctx());
+            }
             Some(Turn::Again) => self.begin_step_again(),
             Some(Turn::Question(done)) => self.take_answer(&done),
             Some(Turn::Copy) => self.copy_step_link(ui.ctx()),
@@ -209,7 +221,7 @@ impl App {
         }
         if is_left {
             self.learning.at = None;
-            self.learning.is_new = true;
+            self.learning.is_new = is_by_key(ui.ctx());
         }
     }
 
@@ -292,4 +304,9 @@ impl App {
             things::frame(ui, ui.max_rect(), &thing, palette);
         }
     }
+}
+
+/// Whether what is done in this frame is done by a key: no button of the pointer has just come up.
+fn is_by_key(ctx: &Context) -> bool {
+    !ctx.input(|input| input.pointer.any_released())
 }

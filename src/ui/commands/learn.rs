@@ -16,7 +16,7 @@ pub static LEARN: Command = Command {
             "Lessons and questions beside the views: predict, move something, see",
         ],
         &[key(CTRL, Key::L)],
-        |app, _| app.switch_learning(),
+        App::switch_learning,
     )
 };
 
@@ -31,7 +31,7 @@ pub static NEXT_STEP: Command = Command {
             "Goes on in the lesson; remote clickers do it, too",
         ],
         &[key(PLAIN, Key::PageDown)],
-        |app, _| app.step(1),
+        |app, ctx| app.step(1, ctx),
     )
 };
 
@@ -46,7 +46,7 @@ pub static STEP_BACK: Command = Command {
             "Goes back in the lesson",
         ],
         &[key(PLAIN, Key::PageUp)],
-        |app, _| app.step(-1),
+        |app, ctx| app.step(-1, ctx),
     )
 };
 

@@ -95,7 +95,10 @@ impl Hit {
                 let room = app.room_of_views();
                 app.session.views.show_ready(ready, room);
             }
-            Self::Lesson(lesson) | Self::Question(lesson) => app.open_lesson(lesson, 0),
+            Self::Lesson(lesson) | Self::Question(lesson) => {
+                app.open_lesson(lesson, 0);
+                app.attend_step(ctx);
+            }
         }
     }
 

@@ -73,15 +73,31 @@ impl Prose<'_> {
     pub fn line(&mut self, ui: &mut Ui, spans: &[Span]) {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = egui::vec2(0.0, 3.0);
-            for span in spans {
+            let mut is_behind = false;
+            for (index, span) in spans.iter().enumerate() {
+                // A full stop does not begin a line: it stands with what is before it.
+                let tail = spans.get(index + 1).map_or("", closing);
                 match span {
-                    Span::Words { text, style } => self.words(ui, text, style),
-                    Span::Number(number) => self.number(ui, number),
-                    Span::Formula(tex) => self.formula(ui, tex, true),
+                    Span::Words { text, style } => {
+                        let begin = if is_behind { closing(span).len() } else { 0 };
+                        let text = text.get(begin..).unwrap_or_default();
+                        let tail = if style.thing.is_some() { tail } else { "" };
+                        self.words(ui, &format!("{text}{tail}"), style);
+                    }
+                    Span::Number(number) => self.number(ui, number, tail),
+                    Span::Formula(tex) if tail.is_empty() => self.formula(ui, tex, true),
+                    Span::Formula(tex) => {
+                        self.formula(ui, &format!("{tex}\\text{{{tail}}}"), true);
+                    }
                     Span::Code(text) => {
                         ui.label(RichText::new(text).code().size(self.size));
                     }
                 }
+                is_behind = match span {
+                    Span::Words { style, .. } => style.thing.is_some(),
+                    Span::Number(_) | Span::Formula(_) => true,
+                    Span::Code(_) => false,
+                };
             }
         });
     }
@@ -109,6 +125,9 @@ impl Prose<'_> {
     }
 
     fn words(&self, ui: &mut Ui, text: &str, style: &Style) {
+        if text.is_empty() {
+            return;
+        }
         let mut rich = RichText::new(text).size(self.size);
         if style.is_strong {
             rich = rich.strong();
@@ -134,13 +153,14 @@ impl Prose<'_> {
         }
     }
 
-    fn number(&mut self, ui: &mut Ui, number: &Expression) {
+    fn number(&mut self, ui: &mut Ui, number: &Expression, tail: &str) {
         let worth = self.worth(number);
         let text = match &worth {
             None => "…".to_owned(),
             Some(Ok(value)) => written(*value, number.unit()),
             Some(Err(_)) => "–".to_owned(),
         };
+        let text = format!("{text}{tail}");
         let label = ui.label(RichText::new(text).size(self.size).strong());
         let says = match worth {
             Some(Err(problem)) => problem,
@@ -170,6 +190,18 @@ impl Prose<'_> {
     }
 }
 
+/// The signs that a piece of text begins with, where they close what is before it.
+fn closing(span: &Span) -> &str {
+    let Span::Words { text, style } = span else {
+        return "";
+    };
+    if style.thing.is_some() {
+        return "";
+    }
+    let is_open = |c: char| !matches!(c, '.' | ',' | ';' | ':' | ')' | '?');
+    text.split(is_open).next().unwrap_or_default()
+}
+
 /// A number with its unit as a text has it.
 #[must_use]
 pub fn written(value: f64, unit: &str) -> String {
@@ -177,5 +209,28 @@ pub fn written(value: f64, unit: &str) -> String {
         "" => format::value(value),
         "degrees" => format::degrees(value),
         unit => format!("{}\u{a0}{unit}", format::value(value)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn closing_signs_stand_with_what_is_before_them() {
+        let words = |text: &str| Span::Words {
+            text: text.to_owned(),
+            style: Style::default(),
+        };
+        for (text, expected) in [
+            (". So", "."),
+            (") and", ")"),
+            (" so.", ""),
+            ("?", "?"),
+            ("", ""),
+        ] {
+            assert_eq!(closing(&words(text)), expected);
+        }
+        assert_eq!(closing(&Span::Code(".".to_owned())), "");
     }
 }
