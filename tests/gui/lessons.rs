@@ -256,6 +256,19 @@ fn words_and_things_point_at_one_another() {
         strokes(&harness) >= before + 2,
         "a ring about the light in both views"
     );
+    let widest = |harness: &Harness<'_, App>| {
+        let shapes = harness.output().shapes.iter();
+        let widths = shapes.filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Path(path) => Some(path.stroke.width),
+            _ => None,
+        });
+        widths.fold(0.0, f32::max)
+    };
+    let before = widest(&harness);
+    harness.hover_at(harness.get_by_label("the lobe").rect().center());
+    harness.run();
+    let after = widest(&harness);
+    assert!(after > before, "the curve: {before} to {after}");
     harness.state_mut().open_lesson(&example(), 1);
     harness.run();
     harness.hover_at(harness.get_by_label("the slider").rect().center());

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use egui::{Align2, Color32, Pos2, Rect, Stroke, Ui, vec2};
+use egui::{Align2, Color32, Context, Pos2, Rect, Stroke, Ui, vec2};
 use egui_plot::{Line, LineStyle, PlotPoint, PlotPoints, PlotTransform, PlotUi};
 
 use super::super::context::Named;
@@ -79,6 +79,15 @@ fn stroke(channel: Channel, slot: PaletteIndex, palette: &theme::Palette) -> Str
     Stroke::new(width * theme::CURVE_WIDTH, palette.channel(channel, slot))
 }
 
+/// By how much wider is drawn what words of a text point at.
+fn emphasis(ctx: &Context, mut meant: impl Iterator<Item = Thing>) -> f32 {
+    if meant.any(|thing| things::is_pointed(ctx, &thing, By::Words)) {
+        2.0
+    } else {
+        1.0
+    }
+}
+
 pub(super) fn draw_curves(
     plot_ui: &mut PlotUi<'_>,
     session: &Session,
@@ -86,6 +95,10 @@ pub(super) fn draw_curves(
     palette: &theme::Palette,
 ) {
     let radial = &plotted.radial;
+    let place = session.materials.position(plotted.entry);
+    let material = place.map(|index| Thing::Material(index + 1));
+    let lobe = plotted.is_selected.then_some(Thing::Lobe);
+    let factor = emphasis(plot_ui.ctx(), material.into_iter().chain(lobe));
     for channel in session.shown_curves().channels() {
         let style = chart::style(Dash::of_channel(*channel, plotted.slot));
         for arc in arcs(&plotted.section) {
@@ -93,7 +106,8 @@ pub(super) fn draw_curves(
                 .iter()
                 .map(|point| at(radial.radius(channel.of(point.value)), point.angle));
             let closed = [[0.0, 0.0]].into_iter().chain(curve).chain([[0.0, 0.0]]);
-            let stroke = stroke(*channel, plotted.slot, palette);
+            let mut stroke = stroke(*channel, plotted.slot, palette);
+            stroke.width *= factor;
             plot_ui.line(line(closed, stroke).style(style));
         }
     }
@@ -147,12 +161,7 @@ pub(super) fn draw_directions(
     palette: &theme::Palette,
 ) {
     let ctx = plot_ui.ctx().clone();
-    // What words of a text point at is drawn twice as wide.
-    let emphasis = |name: &str| {
-        let thing = Thing::named(name);
-        let is_meant = thing.is_some_and(|thing| things::is_pointed(&ctx, &thing, By::Words));
-        if is_meant { 2.0 } else { 1.0 }
-    };
+    let emphasis = |name: &str| emphasis(&ctx, Thing::named(name).into_iter());
     let width = 1.5 * emphasis("n");
     plot_ui.line(line([[0.0, 0.0], [0.0, 1.0]], (width, palette.ink)));
     // The most important one lies over the others.
