@@ -298,6 +298,13 @@ impl Resource {
         }
     }
 
+    /// Lets the content be missing for this reason, where nobody has looked for it yet: nobody will.
+    pub fn strand(&mut self, reason: &str) {
+        if self.is_pending() {
+            self.content = Content::Missing(reason.into());
+        }
+    }
+
     /// The same, to be looked for anew.
     #[must_use]
     pub fn again(&self) -> Self {

@@ -11,7 +11,7 @@ use bxdf::resource::{Content, Origin, ReadFile};
 use bxdf::{Material, ParamSpec, Resource};
 
 impl Session {
-    fn map_resources(&mut self, change: &mut dyn FnMut(&mut Resource)) {
+    pub(crate) fn map_resources(&mut self, change: &mut dyn FnMut(&mut Resource)) {
         for entry in self.materials.iter_mut() {
             entry
                 .material
