@@ -77,31 +77,28 @@ impl Shadow {
 
     /// Darkens the cells whose middle lies below a triangle of twice this area, in cells.
     fn fill(&mut self, [a, b, c]: [Vec3; 3], area: f32) {
-        let (low, high) = (a.min(b).min(c).floor(), a.max(b).max(c).floor());
-        let mut y = low.y.max(0.0);
-        while y <= high.y {
-            let mut x = low.x.max(0.0);
-            while x <= high.x {
+        let [low, high] = [a.min(b).min(c), a.max(b).max(c)];
+        for y in columns(low.y, high.y) {
+            for x in columns(low.x, high.x) {
                 let from_a = Vec2::new(x + 0.5, y + 0.5) - a.truncate();
                 let of_b = from_a.perp_dot((c - a).truncate()) / area;
                 let of_c = (b - a).truncate().perp_dot(from_a) / area;
                 if of_b.min(of_c).min(1.0 - of_b - of_c) >= 0.0 {
                     self.darken(x, y, a.z + of_b * (b.z - a.z) + of_c * (c.z - a.z));
                 }
-                x += 1.0;
             }
-            y += 1.0;
         }
     }
 
     /// Darkens the cells below a line.
-    fn draw(&mut self, [from, to]: [Vec3; 2]) {
+    fn draw(&mut self, line: [Vec3; 2]) {
+        let Some([from, to]) = within(line) else {
+            return;
+        };
         let steps = from.truncate().distance(to.truncate()).ceil().max(1.0);
-        let mut step = 0.0;
-        while step <= steps {
-            let at = from.lerp(to, step / steps);
+        for step in 0..=steps as usize {
+            let at = from.lerp(to, step as f32 / steps);
             self.darken(at.x.floor(), at.y.floor(), at.z);
-            step += 1.0;
         }
     }
 
@@ -132,6 +129,32 @@ impl Shadow {
     }
 }
 
+/// The columns, or rows, of the square between two places.
+fn columns(low: f32, high: f32) -> impl Iterator<Item = f32> {
+    let edge = CELLS as f32 - 1.0;
+    let [low, high] = [low, high].map(f32::floor);
+    // What lies beyond is not walked through, however far it reaches: a lobe may still be as large as an older scale has it.
+    let all = (low <= edge && high >= 0.0).then(|| low.max(0.0) as usize..=high.min(edge) as usize);
+    all.into_iter().flatten().map(|column| column as f32)
+}
+
+/// The part of a line that lies above the square.
+fn within([from, to]: [Vec3; 2]) -> Option<[Vec3; 2]> {
+    let way = to - from;
+    let mut part = [0.0_f32, 1.0];
+    for (start, way) in [(from.x, way.x), (from.y, way.y)] {
+        let mut ends = [-start / way, (CELLS as f32 - start) / way];
+        if way == 0.0 {
+            let is_within = (0.0..=CELLS as f32).contains(&start);
+            ends = if is_within { part } else { return None };
+        }
+        ends.sort_by(f32::total_cmp);
+        part = [part[0].max(ends[0]), part[1].min(ends[1])];
+    }
+    let is_finite = from.is_finite() && to.is_finite();
+    (is_finite && part[0] <= part[1]).then(|| part.map(|part| from + way * part))
+}
+
 /// A place of the surface in cells from the corner of the square.
 fn to_cells(place: Vec2) -> Vec2 {
     0.5 * CELLS as f32 * (place + 1.0)
@@ -146,6 +169,26 @@ fn index(x: f32, y: f32) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_reaches_far_beyond_the_surface_is_cast_in_no_time() {
+        for far in [1e3, 1e8, 1e20, 1e38, f32::INFINITY, f32::NAN] {
+            let corners = [
+                Vec3::new(-far, -far, 0.1),
+                Vec3::new(far, -far, 0.1),
+                Vec3::new(0.0, far, 0.1),
+            ];
+            let blade = [
+                Vec3::ZERO,
+                Vec3::new(far, 0.0, 0.0),
+                Vec3::new(far, 1e-3, 0.0),
+            ];
+            let shadow = Shadow::of([corners, blade]);
+            let dark = shadow.at(Vec2::new(0.5, 0.0));
+            assert!((0.0..=1.0).contains(&dark), "{far}: {dark}");
+            assert!(far != 1e3 || dark > 0.1, "{far}: {dark}");
+        }
+    }
 
     /// A square parallel to the surface, about this place of it.
     fn plate(middle: Vec2, half: f32, height: f32) -> [[Vec3; 3]; 2] {
