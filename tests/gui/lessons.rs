@@ -286,3 +286,28 @@ fn words_and_things_point_at_one_another() {
     let mut near = rings.filter(|ring| ring.contains_rect(slider));
     assert!(near.next().is_some(), "a frame about {slider}");
 }
+
+/// Whatever has the keyboard in one step, keys lead on from it: no field of a step is taken for a button of the next.
+#[test]
+fn page_down_leads_through_every_lesson() {
+    for lesson in lessons() {
+        let mut harness = window([1280, 800]);
+        harness.state_mut().open_lesson(lesson, 0);
+        harness.run();
+        for step in 2..=lesson.steps.len() {
+            // As after a step that asks for a number.
+            let fields = harness.query_all_by_label("Your answer");
+            let field = fields.into_iter().next();
+            if let Some(field) = field {
+                field.focus();
+                harness.run();
+                harness.key_press(Key::Escape);
+                harness.run();
+            }
+            harness.key_press(Key::PageDown);
+            harness.run();
+            let at = harness.state().step_link();
+            assert_eq!(at.as_deref(), Some(&*format!("{}.{step}", lesson.id)));
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! A step of a lesson, with the way to the ones before and after it.
 
-use egui::{Align, Button, Layout, RichText, ScrollArea, Ui};
+use egui::{Align, Button, Layout, RichText, ScrollArea, Ui, UiBuilder};
 
 use super::prose::Prose;
 use super::question::{self, Done};
@@ -53,30 +53,35 @@ pub fn show(
         .id_salt(("step", &lesson.id, *step))
         .auto_shrink([false, false])
         .max_height((ui.available_height() - below).max(80.0));
+    // What stands in one step is nothing of another: no focus goes from a field of one to a button of the next.
+    let own = UiBuilder::new().id_salt((&lesson.id, *step));
     area.show(ui, |ui| {
-        ui.set_max_width(ui.available_width() - crate::theme::SCROLL_ROOM);
-        ui.label(RichText::new(&at.title).size(prose.size + 3.0).strong());
-        ui.add_space(4.0);
-        prose.blocks(ui, &at.text);
-        if let Some(ask) = &at.ask {
-            let done = question::show(ui, (ask, work), (shown.is_other, shown.is_new), prose);
-            turn = done.map(Turn::Question);
-            if work.is_revealed() {
-                ui.add_space(6.0);
-                prose.blocks(ui, &at.answer);
+        ui.scope_builder(own, |ui| {
+            ui.set_max_width(ui.available_width() - crate::theme::SCROLL_ROOM);
+            ui.label(RichText::new(&at.title).size(prose.size + 3.0).strong());
+            ui.add_space(4.0);
+            prose.blocks(ui, &at.text);
+            if let Some(ask) = &at.ask {
+                let done = question::show(ui, (ask, work), (shown.is_other, shown.is_new), prose);
+                turn = done.map(Turn::Question);
+                if work.is_revealed() {
+                    ui.add_space(6.0);
+                    prose.blocks(ui, &at.answer);
+                }
             }
-        }
-        ui.horizontal_wrapped(|ui| {
-            let again = ui.add_enabled(!shown.is_as_begun, Button::new("Step from its beginning"));
-            let hint = "Show again what this step begins with";
-            if again.on_hover_text(hint).clicked() {
-                turn = Some(Turn::Again);
-            }
-            let hint = "Copies what opens this step elsewhere";
-            if ui.button("Copy link").on_hover_text(hint).clicked() {
-                turn = Some(Turn::Copy);
-            }
-        });
+            ui.horizontal_wrapped(|ui| {
+                let again =
+                    ui.add_enabled(!shown.is_as_begun, Button::new("Step from its beginning"));
+                let hint = "Show again what this step begins with";
+                if again.on_hover_text(hint).clicked() {
+                    turn = Some(Turn::Again);
+                }
+                let hint = "Copies what opens this step elsewhere";
+                if ui.button("Copy link").on_hover_text(hint).clicked() {
+                    turn = Some(Turn::Copy);
+                }
+            });
+        })
     });
     // What a step points out is marked for as long as it is read.
     for thing in &at.shows {
