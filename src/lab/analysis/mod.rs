@@ -27,7 +27,7 @@ pub mod statistics;
 pub mod thumbnail;
 
 pub use lobe::{HeldLobe, Hold};
-pub use query::{Basis, IsWanted, Pace, Query, Subject, Tell};
+pub use query::{Basis, IsWanted, Pace, Query, Steps, Subject, Tell, finish, pause, step};
 pub use raster::Raster;
 pub use scale::{Channel, RadialScale};
 

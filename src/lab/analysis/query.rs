@@ -1,6 +1,11 @@
 //! What a view asks about a material, as a value of its own: the same query is answered for the window's workers, for
 //! exports and for tests.
 
+use std::future::poll_fn;
+use std::mem::replace;
+use std::pin::Pin;
+use std::task::{Context, Poll, Waker};
+
 use super::{Detail, HeldLobe};
 use bxdf::Material;
 
@@ -38,6 +43,38 @@ pub type IsWanted<'a> = &'a (dyn Fn() -> bool + Sync);
 
 /// Is handed the parts of an answer: all there is of it so far, and the share of the work done, 0..1.
 pub type Tell<'a, A> = &'a dyn Fn(A, f64);
+
+/// A computation that is made step by step: where no threads are to be had, other work is done between them.
+pub type Steps<'a, T> = Pin<Box<dyn Future<Output = T> + 'a>>;
+
+/// Ends a step.
+pub async fn pause() {
+    let mut is_ended = false;
+    poll_fn(|_| {
+        if replace(&mut is_ended, true) {
+            Poll::Ready(())
+        } else {
+            // Whoever makes the steps goes on when there is time: nobody has to be woken.
+            Poll::Pending
+        }
+    })
+    .await;
+}
+
+/// Makes one step; what comes of all of them after the last.
+pub fn step<T>(steps: &mut Steps<'_, T>) -> Poll<T> {
+    steps.as_mut().poll(&mut Context::from_waker(Waker::noop()))
+}
+
+/// Makes all steps, one right after the other.
+#[must_use]
+pub fn finish<T>(mut steps: Steps<'_, T>) -> T {
+    loop {
+        if let Poll::Ready(made) = step(&mut steps) {
+            return made;
+        }
+    }
+}
 
 /// What an answer depends on besides its query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,14 +137,14 @@ pub trait Query: Clone + PartialEq + Send + Sync + 'static {
         is_wanted: IsWanted<'_>,
     ) -> Option<Self::Answer>;
 
-    /// [`Self::answer`], told in parts meanwhile where it takes long.
-    fn answer_in_parts(
-        &self,
-        subject: &Subject<'_>,
+    /// [`Self::answer`] in steps, told in parts meanwhile, where it takes long.
+    fn in_steps<'a>(
+        &'a self,
+        subject: Subject<'a>,
         detail: Detail,
-        is_wanted: IsWanted<'_>,
-        _tell: Tell<'_, Self::Answer>,
-    ) -> Option<Self::Answer> {
-        self.answer(subject, detail, is_wanted)
+        is_wanted: IsWanted<'a>,
+        _tell: Tell<'a, Self::Answer>,
+    ) -> Steps<'a, Option<Self::Answer>> {
+        Box::pin(async move { self.answer(&subject, detail, is_wanted) })
     }
 }

@@ -3,8 +3,11 @@
 use super::front;
 use super::report::{CostUnit, FamilyReport, Point, Report, Slopes};
 use super::study::{Stop, Study};
-use crate::analysis::IsWanted;
+use crate::analysis::{IsWanted, Steps, finish, pause};
 use crate::timing::{Stopwatch, Timing};
+
+/// What measures a family, step by step.
+pub type Measuring<'a> = Steps<'a, Result<(), Stop>>;
 
 /// A family of choices.
 pub trait Family: Sync {
@@ -30,7 +33,7 @@ pub trait Family: Sync {
     ///
     /// # Errors
     /// [`Stop`], where the family does not apply, or is not wanted any more.
-    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop>;
+    fn measure<'a>(&'a self, study: &'a Study<'_>, bench: &'a mut Bench<'_>) -> Measuring<'a>;
 }
 
 /// What families report to while they measure.
@@ -53,9 +56,12 @@ impl Bench<'_> {
         self.stopwatch.time(size, work)
     }
 
+    /// Ends a step.
+    ///
     /// # Errors
     /// [`Stop::Unwanted`], where nobody wants more.
-    pub(super) fn wanted(&self) -> Result<(), Stop> {
+    pub(super) async fn wanted(&self) -> Result<(), Stop> {
+        pause().await;
         if (self.is_wanted)() {
             Ok(())
         } else {
@@ -63,13 +69,13 @@ impl Bench<'_> {
         }
     }
 
-    /// This share of the family's work, 0..1, is done.
+    /// This share of the family's work, 0..1, is done; ends a step.
     ///
     /// # Errors
     /// As [`Self::wanted`].
-    pub(super) fn at(&mut self, fraction: f64) -> Result<(), Stop> {
+    pub(super) async fn at(&mut self, fraction: f64) -> Result<(), Stop> {
         self.fraction = fraction;
-        self.wanted()
+        self.wanted().await
     }
 
     /// What the family's choices are held against.
@@ -93,7 +99,7 @@ impl Bench<'_> {
         (self.listener)(&self.report, progress);
     }
 
-    fn run(&mut self, family: &dyn Family, study: &Study<'_>) -> Result<(), Stop> {
+    async fn run(&mut self, family: &dyn Family, study: &Study<'_>) -> Result<(), Stop> {
         self.report.families.push(FamilyReport {
             id: family.id(),
             title: family.title(),
@@ -105,7 +111,7 @@ impl Bench<'_> {
             slopes: Slopes::new(),
         });
         (self.current, self.fraction) = (family.share(), 0.0);
-        let outcome = family.measure(study, self);
+        let outcome = family.measure(study, self).await;
         self.done += self.current;
         (self.current, self.fraction) = (0.0, 0.0);
         if let Some(report) = self.report.families.last_mut() {
@@ -132,6 +138,18 @@ pub fn measure(
     is_wanted: IsWanted<'_>,
     listener: &mut dyn FnMut(&Report, f64),
 ) -> Option<Report> {
+    let measuring = in_steps(study, families, stopwatch, is_wanted, listener);
+    finish(Box::pin(measuring))
+}
+
+/// [`measure`], step by step.
+pub(super) async fn in_steps(
+    study: &Study<'_>,
+    families: &[&dyn Family],
+    stopwatch: Stopwatch,
+    is_wanted: IsWanted<'_>,
+    listener: &mut dyn FnMut(&Report, f64),
+) -> Option<Report> {
     let mut bench = Bench {
         stopwatch,
         is_wanted,
@@ -147,7 +165,7 @@ pub fn measure(
         fraction: 0.0,
     };
     for family in families {
-        bench.run(*family, study).ok()?;
+        bench.run(*family, study).await.ok()?;
     }
     Some(bench.report)
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::bench::{Bench, Family};
+use super::bench::{Bench, Family, Measuring};
 use super::precision::{Batch, by_pair, values_in};
 use super::report::{CostUnit, Point};
 use super::study::{Stop, Study};
@@ -34,45 +34,50 @@ impl Family for Channels {
         0.2
     }
 
-    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
-        let substances = substances(study.material).map_err(Stop::NotApplicable)?;
-        let finest = Spectral::<f64>::new(study.material, &substances, FINEST);
-        let exact = |pairs: &[(DVec3, DVec3)]| finest.values(pairs);
-        let baseline = study.baseline(&exact)?;
-        let [start, end] = RANGE_NM;
-        bench.reference(format!(
-            "{FINEST} wavelengths from {start} to {end} nm, n and k of {}, seen under D65 by the CIE 1931 observer",
-            names(&substances)
-        ));
-        let pairs = &study.probe.pairs;
-        let n = pairs.len() as f64;
-        let mut batch = Batch::<f32>::new(pairs);
-        bench.wanted()?;
-        let rgb = study.material.build::<f32>();
-        let cost = bench
-            .time(n, &mut || batch.run(&*rgb, Path::Dispatched))
-            .over(n);
-        let values = |pairs: &[(DVec3, DVec3)]| values_in(study.bxdf(), Path::Dispatched, pairs);
-        let point = Point::new("RGB").with_errors(baseline.errors(&values));
-        bench.point(Point {
-            material: Some(study.material.clone()),
-            ..point.costing(cost)
-        });
-        for (index, count) in COUNTS.into_iter().enumerate() {
-            bench.at((index + 1) as f64 / (COUNTS.len() + 1) as f64)?;
-            let fine = Spectral::<f64>::new(study.material, &substances, count);
-            let errors = baseline.errors(&|pairs: &[(DVec3, DVec3)]| fine.values(pairs));
-            let single = Spectral::<f32>::new(study.material, &substances, count);
-            let mut sum = Columns::filled(0.0_f32, pairs.len());
-            let size = n * single.parts.len() as f64;
-            let cost = bench.time(size, &mut || single.add_up(&mut batch, &mut sum));
-            let point = Point::new("wavelengths").with_errors(errors);
+    fn measure<'a>(&'a self, study: &'a Study<'_>, bench: &'a mut Bench<'_>) -> Measuring<'a> {
+        Box::pin(async move {
+            let substances = substances(study.material).map_err(Stop::NotApplicable)?;
+            let finest = Spectral::<f64>::new(study.material, &substances, FINEST);
+            let exact = |pairs: &[(DVec3, DVec3)]| finest.values(pairs);
+            let baseline = study.baseline(&exact)?;
+            let [start, end] = RANGE_NM;
+            bench.reference(format!(
+                "{FINEST} wavelengths from {start} to {end} nm, n and k of {}, seen under D65 by the CIE 1931 observer",
+                names(&substances)
+            ));
+            let pairs = &study.probe.pairs;
+            let n = pairs.len() as f64;
+            let mut batch = Batch::<f32>::new(pairs);
+            bench.wanted().await?;
+            let rgb = study.material.build::<f32>();
+            let cost = bench
+                .time(n, &mut || batch.run(&*rgb, Path::Dispatched))
+                .over(n);
+            let values =
+                |pairs: &[(DVec3, DVec3)]| values_in(study.bxdf(), Path::Dispatched, pairs);
+            let point = Point::new("RGB").with_errors(baseline.errors(&values));
             bench.point(Point {
-                n: Some(count as u64),
-                ..point.costing(cost.over(n))
+                material: Some(study.material.clone()),
+                ..point.costing(cost)
             });
-        }
-        Ok(())
+            for (index, count) in COUNTS.into_iter().enumerate() {
+                bench
+                    .at((index + 1) as f64 / (COUNTS.len() + 1) as f64)
+                    .await?;
+                let fine = Spectral::<f64>::new(study.material, &substances, count);
+                let errors = baseline.errors(&|pairs: &[(DVec3, DVec3)]| fine.values(pairs));
+                let single = Spectral::<f32>::new(study.material, &substances, count);
+                let mut sum = Columns::filled(0.0_f32, pairs.len());
+                let size = n * single.parts.len() as f64;
+                let cost = bench.time(size, &mut || single.add_up(&mut batch, &mut sum));
+                let point = Point::new("wavelengths").with_errors(errors);
+                bench.point(Point {
+                    n: Some(count as u64),
+                    ..point.costing(cost.over(n))
+                });
+            }
+            Ok(())
+        })
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::bench::{Bench, Family};
+use super::bench::{Bench, Family, Measuring};
 use super::report::{CostUnit, Point};
 use super::study::{Stop, Study};
 use crate::analysis::lobe3d::{self, Mesh};
@@ -46,59 +46,62 @@ impl Family for Resolutions {
         1.0
     }
 
-    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
-        let lobe = HeldLobe::new(study.bxdf(), Hold::Viewer, study.held);
-        bench.reference(
-            "the lobe's integral by quadrature; that of its section by a far finer one".to_owned(),
-        );
-        let parts = lobe.integrals(TOLERANCE, MAX_EVALUATIONS / 4);
-        let rho: f64 = parts.iter().map(|part| luminance(part.value)).sum();
-        if rho <= 0.0 {
-            let reason = "its light is all in Dirac deltas, which are drawn as arrows";
-            return Err(Stop::NotApplicable(reason.to_owned()));
-        }
-        let mesh_point = |choice: &str, mesh: &Mesh| {
-            let bytes = size_of_val(&mesh.vertices[..]) + size_of_val(&mesh.triangles[..]);
-            Point {
-                n: Some(mesh.triangles.len() as u64),
-                bytes: Some(bytes as u64),
-                error_rms: (luminance(mesh.integral()) / rho - 1.0).abs(),
-                ..Point::new(choice)
+    fn measure<'a>(&'a self, study: &'a Study<'_>, bench: &'a mut Bench<'_>) -> Measuring<'a> {
+        Box::pin(async move {
+            let lobe = HeldLobe::new(study.bxdf(), Hold::Viewer, study.held);
+            bench.reference(
+                "the lobe's integral by quadrature; that of its section by a far finer one"
+                    .to_owned(),
+            );
+            let parts = lobe.integrals(TOLERANCE, MAX_EVALUATIONS / 4);
+            let rho: f64 = parts.iter().map(|part| luminance(part.value)).sum();
+            if rho <= 0.0 {
+                let reason = "its light is all in Dirac deltas, which are drawn as arrows";
+                return Err(Stop::NotApplicable(reason.to_owned()));
             }
-        };
-        for level in LEVELS {
-            bench.wanted()?;
-            let mesh = lobe3d::uniform(&lobe, level);
-            let size = mesh.triangles.len() as f64;
-            let cost = bench.time(size, &mut || {
-                std::hint::black_box(lobe3d::uniform(&lobe, level));
-            });
-            bench.point(mesh_point("surface, uniform", &mesh).costing(cost));
-        }
-        bench.at(0.5)?;
-        let request = lobe3d::Request {
-            scale: RadialScale::Linear,
-            with_cosine: true,
-        };
-        for (choice, detail) in [
-            ("surface, adaptive, first answer", Detail::Coarse),
-            ("surface, adaptive", Detail::Full),
-        ] {
-            let build =
-                || lobe3d::mesh_while(&lobe, &request, detail, &|| true).unwrap_or_default();
-            let mesh = build();
-            let cost = bench.time(mesh.triangles.len() as f64 * 4.0, &mut || {
-                std::hint::black_box(build());
-            });
-            bench.point(mesh_point(choice, &mesh).costing(cost));
-        }
-        bench.at(0.8)?;
-        sections(&lobe, bench)
+            let mesh_point = |choice: &str, mesh: &Mesh| {
+                let bytes = size_of_val(&mesh.vertices[..]) + size_of_val(&mesh.triangles[..]);
+                Point {
+                    n: Some(mesh.triangles.len() as u64),
+                    bytes: Some(bytes as u64),
+                    error_rms: (luminance(mesh.integral()) / rho - 1.0).abs(),
+                    ..Point::new(choice)
+                }
+            };
+            for level in LEVELS {
+                bench.wanted().await?;
+                let mesh = lobe3d::uniform(&lobe, level);
+                let size = mesh.triangles.len() as f64;
+                let cost = bench.time(size, &mut || {
+                    std::hint::black_box(lobe3d::uniform(&lobe, level));
+                });
+                bench.point(mesh_point("surface, uniform", &mesh).costing(cost));
+            }
+            bench.at(0.5).await?;
+            let request = lobe3d::Request {
+                scale: RadialScale::Linear,
+                with_cosine: true,
+            };
+            for (choice, detail) in [
+                ("surface, adaptive, first answer", Detail::Coarse),
+                ("surface, adaptive", Detail::Full),
+            ] {
+                let build =
+                    || lobe3d::mesh_while(&lobe, &request, detail, &|| true).unwrap_or_default();
+                let mesh = build();
+                let cost = bench.time(mesh.triangles.len() as f64 * 4.0, &mut || {
+                    std::hint::black_box(build());
+                });
+                bench.point(mesh_point(choice, &mesh).costing(cost));
+            }
+            bench.at(0.8).await?;
+            sections(&lobe, bench).await
+        })
     }
 }
 
 /// The choices of the section through the held direction.
-fn sections(lobe: &HeldLobe<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
+async fn sections(lobe: &HeldLobe<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
     let request = polar::Request {
         phi: frame::phi(lobe.held()),
         with_cosine: true,
@@ -123,7 +126,7 @@ fn sections(lobe: &HeldLobe<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
         ..Point::new(choice)
     };
     for steps in STEPS_LOG2.map(|log| 1_u32 << log) {
-        bench.wanted()?;
+        bench.wanted().await?;
         let build = || -> f64 {
             total(&|arc| {
                 let middle = if arc.is_upper { 0.0 } else { PI };

@@ -4,10 +4,10 @@ use glam::DVec3;
 use rayon::prelude::*;
 use xprec::Df64;
 
-use super::bench::{Bench, Family};
+use super::bench::{Bench, Family, Measuring};
 use super::errors::Values;
 use super::report::{CostUnit, Point};
-use super::study::{Stop, Study};
+use super::study::Study;
 use bxdf::batch::{Columns, Job, Path};
 use bxdf::internals::Libm;
 use bxdf::math::Real;
@@ -37,58 +37,60 @@ impl Family for Precisions {
         1.0
     }
 
-    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
-        let reference = study.material.build::<Df64>();
-        let exact = |pairs: &[(DVec3, DVec3)]| pair_by_pair(&*reference, pairs);
-        let baseline = study.baseline(&exact)?;
-        bench.reference("double-double numbers of 32 digits".to_owned());
-        let pairs = &study.probe.pairs;
-        let n = pairs.len() as f64;
-        let add = |bench: &mut Bench<'_>, name: &str, values: Values<'_>, cost| {
-            let point = Point::new(name).with_errors(baseline.errors(values));
-            bench.point(point.costing(cost));
-        };
-        bench.wanted()?;
-        let single = study.material.build::<f32>();
-        for (name, path) in [
-            ("f32, polynomials, widest registers", Path::Dispatched),
-            ("f32, polynomials, plain", Path::Plain),
-        ] {
-            let mut batch = Batch::<f32>::new(pairs);
-            let cost = bench.time(n, &mut || batch.run(&*single, path)).over(n);
-            let values = |pairs: &[(DVec3, DVec3)]| values_in(&*single, path, pairs);
-            add(bench, name, &values, cost);
-        }
-        let library = study.material.build::<Libm>();
-        let mut batch = Batch::<Libm>::new(pairs);
-        let cost = bench
-            .time(1.5 * n, &mut || batch.run(&*library, Path::Plain))
-            .over(n);
-        let values = |pairs: &[(DVec3, DVec3)]| values_in(&*library, Path::Plain, pairs);
-        add(bench, "f32, library functions, plain", &values, cost);
-        bench.at(0.2)?;
-        for (name, path) in [
-            ("f64, library functions, widest registers", Path::Dispatched),
-            ("f64, library functions, plain", Path::Plain),
-        ] {
-            let mut batch = Batch::<f64>::new(pairs);
+    fn measure<'a>(&'a self, study: &'a Study<'_>, bench: &'a mut Bench<'_>) -> Measuring<'a> {
+        Box::pin(async move {
+            let reference = study.material.build::<Df64>();
+            let exact = |pairs: &[(DVec3, DVec3)]| pair_by_pair(&*reference, pairs);
+            let baseline = study.baseline(&exact)?;
+            bench.reference("double-double numbers of 32 digits".to_owned());
+            let pairs = &study.probe.pairs;
+            let n = pairs.len() as f64;
+            let add = |bench: &mut Bench<'_>, name: &str, values: Values<'_>, cost| {
+                let point = Point::new(name).with_errors(baseline.errors(values));
+                bench.point(point.costing(cost));
+            };
+            bench.wanted().await?;
+            let single = study.material.build::<f32>();
+            for (name, path) in [
+                ("f32, polynomials, widest registers", Path::Dispatched),
+                ("f32, polynomials, plain", Path::Plain),
+            ] {
+                let mut batch = Batch::<f32>::new(pairs);
+                let cost = bench.time(n, &mut || batch.run(&*single, path)).over(n);
+                let values = |pairs: &[(DVec3, DVec3)]| values_in(&*single, path, pairs);
+                add(bench, name, &values, cost);
+            }
+            let library = study.material.build::<Libm>();
+            let mut batch = Batch::<Libm>::new(pairs);
             let cost = bench
-                .time(2.0 * n, &mut || batch.run(study.bxdf(), path))
+                .time(1.5 * n, &mut || batch.run(&*library, Path::Plain))
                 .over(n);
-            let values = |pairs: &[(DVec3, DVec3)]| values_in(study.bxdf(), path, pairs);
-            add(bench, name, &values, cost);
-        }
-        bench.at(0.4)?;
-        let some = pairs
-            .get(..pairs.len().min(TIMED_PAIRS))
-            .unwrap_or_default();
-        let count = some.len() as f64;
-        let cost = bench.time(100.0 * count, &mut || {
-            let values = some.iter().map(|pair| value(&*reference, pair)[0]);
-            std::hint::black_box(values.sum::<f64>());
-        });
-        add(bench, "double-double (reference)", &exact, cost.over(count));
-        Ok(())
+            let values = |pairs: &[(DVec3, DVec3)]| values_in(&*library, Path::Plain, pairs);
+            add(bench, "f32, library functions, plain", &values, cost);
+            bench.at(0.2).await?;
+            for (name, path) in [
+                ("f64, library functions, widest registers", Path::Dispatched),
+                ("f64, library functions, plain", Path::Plain),
+            ] {
+                let mut batch = Batch::<f64>::new(pairs);
+                let cost = bench
+                    .time(2.0 * n, &mut || batch.run(study.bxdf(), path))
+                    .over(n);
+                let values = |pairs: &[(DVec3, DVec3)]| values_in(study.bxdf(), path, pairs);
+                add(bench, name, &values, cost);
+            }
+            bench.at(0.4).await?;
+            let some = pairs
+                .get(..pairs.len().min(TIMED_PAIRS))
+                .unwrap_or_default();
+            let count = some.len() as f64;
+            let cost = bench.time(100.0 * count, &mut || {
+                let values = some.iter().map(|pair| value(&*reference, pair)[0]);
+                std::hint::black_box(values.sum::<f64>());
+            });
+            add(bench, "double-double (reference)", &exact, cost.over(count));
+            Ok(())
+        })
     }
 }
 

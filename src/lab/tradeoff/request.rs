@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::FAMILIES;
-use super::bench::{Family, measure};
+use super::bench::{self, Family};
 use super::report::Report;
 use super::study::Study;
-use crate::analysis::{Basis, Detail, IsWanted, Pace, Query, Subject, Tell};
+use crate::analysis::{Basis, Detail, IsWanted, Pace, Query, Steps, Subject, Tell, finish};
 use crate::timing::Stopwatch;
 
 /// What is measured of a material, and how.
@@ -28,21 +28,23 @@ impl Query for Request {
     const PACE: Pace = Pace::Long;
 
     fn answer(&self, of: &Subject<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<Report> {
-        self.answer_in_parts(of, detail, is_wanted, &|_, _| {})
+        finish(self.in_steps(*of, detail, is_wanted, &|_, _| {}))
     }
 
     /// Tells the report so far after each point.
-    fn answer_in_parts(
-        &self,
-        of: &Subject<'_>,
+    fn in_steps<'a>(
+        &'a self,
+        of: Subject<'a>,
         _: Detail,
-        is_wanted: IsWanted<'_>,
-        tell: Tell<'_, Report>,
-    ) -> Option<Report> {
-        let study = Study::new(of.material?, Some(self.held));
-        let is_asked = |family: &&dyn Family| self.families.contains(&family.id());
-        let families: Vec<&dyn Family> = FAMILIES.into_iter().filter(is_asked).collect();
-        let mut tell = |report: &Report, share: f64| tell(report.clone(), share);
-        measure(&study, &families, self.stopwatch, is_wanted, &mut tell)
+        is_wanted: IsWanted<'a>,
+        tell: Tell<'a, Report>,
+    ) -> Steps<'a, Option<Report>> {
+        Box::pin(async move {
+            let study = Study::new(of.material?, Some(self.held));
+            let is_asked = |family: &&dyn Family| self.families.contains(&family.id());
+            let families: Vec<&dyn Family> = FAMILIES.into_iter().filter(is_asked).collect();
+            let mut tell = |report: &Report, share: f64| tell(report.clone(), share);
+            bench::in_steps(&study, &families, self.stopwatch, is_wanted, &mut tell).await
+        })
     }
 }

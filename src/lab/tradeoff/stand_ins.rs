@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::bench::{Bench, Family};
+use super::bench::{Bench, Family, Measuring};
 use super::precision::{Batch, values_in};
 use super::report::{CostUnit, Point};
 use super::study::{Stop, Study};
@@ -40,42 +40,45 @@ impl Family for StandIns {
         1.0
     }
 
-    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
-        let exact = |pairs: &[(DVec3, DVec3)]| pair_values(study.bxdf(), pairs);
-        let baseline = study.baseline(&exact)?;
-        bench.reference(
-            "the material as it is; errors in f64, costs in f32 with the widest registers"
-                .to_owned(),
-        );
-        let candidates = candidates(study.material);
-        if candidates.len() < 2 {
-            let reason = "nothing is registered that could stand in for its terms, and it has no lobe to drop";
-            return Err(Stop::NotApplicable(reason.to_owned()));
-        }
-        let pairs = &study.probe.pairs;
-        let n = pairs.len() as f64;
-        let mut batch = Batch::<f32>::new(pairs);
-        for (index, candidate) in candidates.iter().enumerate() {
-            bench.at(index as f64 / candidates.len() as f64)?;
-            let bxdf = candidate.material.build::<f64>();
-            let single = candidate.material.build::<f32>();
-            let errors = baseline.errors(&|pairs: &[(DVec3, DVec3)]| pair_values(&*bxdf, pairs));
-            let in_single = baseline.rms(&values_in(&*single, Path::Dispatched, pairs));
-            let size = n / (1.0 + candidate.names.len() as f64);
-            let cost = bench
-                .time(size, &mut || batch.run(&*single, Path::Dispatched))
-                .over(n);
-            let point = Point::new(candidate.name())
-                .with_errors(errors)
-                .costing(cost);
-            bench.point(Point {
-                error_rms_f32: Some(in_single),
-                lost: candidate.lost(),
-                material: Some(candidate.material.clone()),
-                ..point
-            });
-        }
-        Ok(())
+    fn measure<'a>(&'a self, study: &'a Study<'_>, bench: &'a mut Bench<'_>) -> Measuring<'a> {
+        Box::pin(async move {
+            let exact = |pairs: &[(DVec3, DVec3)]| pair_values(study.bxdf(), pairs);
+            let baseline = study.baseline(&exact)?;
+            bench.reference(
+                "the material as it is; errors in f64, costs in f32 with the widest registers"
+                    .to_owned(),
+            );
+            let candidates = candidates(study.material);
+            if candidates.len() < 2 {
+                let reason = "nothing is registered that could stand in for its terms, and it has no lobe to drop";
+                return Err(Stop::NotApplicable(reason.to_owned()));
+            }
+            let pairs = &study.probe.pairs;
+            let n = pairs.len() as f64;
+            let mut batch = Batch::<f32>::new(pairs);
+            for (index, candidate) in candidates.iter().enumerate() {
+                bench.at(index as f64 / candidates.len() as f64).await?;
+                let bxdf = candidate.material.build::<f64>();
+                let single = candidate.material.build::<f32>();
+                let errors =
+                    baseline.errors(&|pairs: &[(DVec3, DVec3)]| pair_values(&*bxdf, pairs));
+                let in_single = baseline.rms(&values_in(&*single, Path::Dispatched, pairs));
+                let size = n / (1.0 + candidate.names.len() as f64);
+                let cost = bench
+                    .time(size, &mut || batch.run(&*single, Path::Dispatched))
+                    .over(n);
+                let point = Point::new(candidate.name())
+                    .with_errors(errors)
+                    .costing(cost);
+                bench.point(Point {
+                    error_rms_f32: Some(in_single),
+                    lost: candidate.lost(),
+                    material: Some(candidate.material.clone()),
+                    ..point
+                });
+            }
+            Ok(())
+        })
     }
 }
 

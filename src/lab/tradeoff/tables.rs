@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::bench::{Bench, Family};
+use super::bench::{Bench, Family, Measuring};
 use super::precision::{Batch, values_in};
 use super::report::{CostUnit, Point};
 use super::study::{Stop, Study};
@@ -48,54 +48,57 @@ impl Family for Tables {
         1.0
     }
 
-    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> std::result::Result<(), Stop> {
-        let exact = |pairs: &[(DVec3, DVec3)]| pair_values(study.bxdf(), pairs);
-        let baseline = study.baseline(&exact)?;
-        if study.material.has_side(Side::Transmission) {
-            let reason = "light crosses it, and the table is of what is reflected";
-            return Err(Stop::NotApplicable(reason.to_owned()));
-        }
-        let is_isotropic = study.material.is_isotropic();
-        let shapes: Vec<Shape> = COUNTS
-            .into_iter()
-            .filter_map(|n| Shape::of(n, is_isotropic).ok())
-            .collect();
-        bench.reference(reference(&shapes));
-        let pairs = &study.probe.pairs;
-        let n = pairs.len() as f64;
-        let mut batch = Batch::<f32>::new(pairs);
-        bench.wanted()?;
-        let formula = study.material.build::<f32>();
-        let cost = bench
-            .time(n, &mut || batch.run(&*formula, Path::Dispatched))
-            .over(n);
-        let values = |pairs: &[(DVec3, DVec3)]| values_in(&*formula, Path::Dispatched, pairs);
-        let point = Point::new("formula, f32").with_errors(baseline.errors(&values));
-        bench.point(Point {
-            error_rms_f32: Some(point.error_rms),
-            ..point.costing(cost)
-        });
-        for (index, shape) in shapes.iter().enumerate() {
-            bench.at(index as f64 / shapes.len() as f64)?;
-            // What is too large stands in the text of the reference.
-            let Ok(material) = baked(study, *shape) else {
-                continue;
-            };
-            let (double, single) = (material.build::<f64>(), material.build::<f32>());
-            let errors = baseline.errors(&|pairs: &[(DVec3, DVec3)]| pair_values(&*double, pairs));
+    fn measure<'a>(&'a self, study: &'a Study<'_>, bench: &'a mut Bench<'_>) -> Measuring<'a> {
+        Box::pin(async move {
+            let exact = |pairs: &[(DVec3, DVec3)]| pair_values(study.bxdf(), pairs);
+            let baseline = study.baseline(&exact)?;
+            if study.material.has_side(Side::Transmission) {
+                let reason = "light crosses it, and the table is of what is reflected";
+                return Err(Stop::NotApplicable(reason.to_owned()));
+            }
+            let is_isotropic = study.material.is_isotropic();
+            let shapes: Vec<Shape> = COUNTS
+                .into_iter()
+                .filter_map(|n| Shape::of(n, is_isotropic).ok())
+                .collect();
+            bench.reference(reference(&shapes));
+            let pairs = &study.probe.pairs;
+            let n = pairs.len() as f64;
+            let mut batch = Batch::<f32>::new(pairs);
+            bench.wanted().await?;
+            let formula = study.material.build::<f32>();
             let cost = bench
-                .time(4.0 * n, &mut || batch.run(&*single, Path::Dispatched))
+                .time(n, &mut || batch.run(&*formula, Path::Dispatched))
                 .over(n);
-            let point = Point::new("table").with_errors(errors).costing(cost);
+            let values = |pairs: &[(DVec3, DVec3)]| values_in(&*formula, Path::Dispatched, pairs);
+            let point = Point::new("formula, f32").with_errors(baseline.errors(&values));
             bench.point(Point {
-                n: Some(shape.nodes() as u64),
-                bytes: Some(shape.bytes()),
-                lost: Some(format!("what lies between its {shape} nodes")),
-                material: (shape.bytes() <= MAX_KEPT_BYTES).then_some(material),
-                ..point
+                error_rms_f32: Some(point.error_rms),
+                ..point.costing(cost)
             });
-        }
-        Ok(())
+            for (index, shape) in shapes.iter().enumerate() {
+                bench.at(index as f64 / shapes.len() as f64).await?;
+                // What is too large stands in the text of the reference.
+                let Ok(material) = baked(study, *shape) else {
+                    continue;
+                };
+                let (double, single) = (material.build::<f64>(), material.build::<f32>());
+                let errors =
+                    baseline.errors(&|pairs: &[(DVec3, DVec3)]| pair_values(&*double, pairs));
+                let cost = bench
+                    .time(4.0 * n, &mut || batch.run(&*single, Path::Dispatched))
+                    .over(n);
+                let point = Point::new("table").with_errors(errors).costing(cost);
+                bench.point(Point {
+                    n: Some(shape.nodes() as u64),
+                    bytes: Some(shape.bytes()),
+                    lost: Some(format!("what lies between its {shape} nodes")),
+                    material: (shape.bytes() <= MAX_KEPT_BYTES).then_some(material),
+                    ..point
+                });
+            }
+            Ok(())
+        })
     }
 }
 

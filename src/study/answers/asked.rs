@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::jobs::{Answer, Jobs, Slot, Watch};
+use crate::jobs::{Answer, Jobs, Slot};
 use crate::session::Session;
 use bxdf::math::frame;
 use bxdf::{Material, Rotated, Scatterer};
@@ -138,19 +138,20 @@ impl<Q: Query> Asking<Q> {
             self.asked = Some(asked.clone());
         }
         let inputs = asked.clone();
-        let compute = move |detail, watch: &Watch<'_, Q::Answer>| {
-            let lobe = |surface| inputs.held.lobe(surface);
-            let subject = Subject {
-                lobe: lobe(&inputs.surface),
-                material: Some(&inputs.surface.material),
-                against: inputs.against.as_ref().map(|against| lobe(against)),
-            };
-            let is_wanted = || !watch.is_stale();
-            let tell = |part, share| watch.tell(part, share);
-            inputs
-                .query
-                .answer_in_parts(&subject, detail, &is_wanted, &tell)
-        };
-        self.slot.ask(jobs, asked, Q::PACE, compute)
+        self.slot.ask(jobs, asked, Q::PACE, move |detail, watch| {
+            let inputs = inputs.clone();
+            Box::pin(async move {
+                let lobe = |surface| inputs.held.lobe(surface);
+                let subject = Subject {
+                    lobe: lobe(&inputs.surface),
+                    material: Some(&inputs.surface.material),
+                    against: inputs.against.as_ref().map(|against| lobe(against)),
+                };
+                let is_wanted = || !watch.is_stale();
+                let tell = |part, share| watch.tell(part, share);
+                let steps = inputs.query.in_steps(subject, detail, &is_wanted, &tell);
+                steps.await
+            })
+        })
     }
 }

@@ -4,7 +4,7 @@ use std::time::Duration;
 use super::*;
 use crate::platform;
 use crate::views::{OwnSection, polar};
-use bxdf_lab::analysis::{IsWanted, Pace, Tell, thumbnail};
+use bxdf_lab::analysis::{IsWanted, Pace, Steps, Tell, finish, pause, thumbnail};
 use bxdf_lab::contract::PhysicalLaws;
 
 #[test]
@@ -113,24 +113,27 @@ impl Query for Letters {
     const PACE: Pace = Pace::Long;
 
     fn answer(&self, of: &Subject<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<String> {
-        self.answer_in_parts(of, detail, is_wanted, &|_, _| {})
+        finish(self.in_steps(*of, detail, is_wanted, &|_, _| {}))
     }
 
-    fn answer_in_parts(
-        &self,
-        of: &Subject<'_>,
+    fn in_steps<'a>(
+        &'a self,
+        of: Subject<'a>,
         _: Detail,
-        is_wanted: IsWanted<'_>,
-        tell: Tell<'_, String>,
-    ) -> Option<String> {
-        let title = of.material?.title();
-        for end in 1..title.len() {
+        is_wanted: IsWanted<'a>,
+        tell: Tell<'a, String>,
+    ) -> Steps<'a, Option<String>> {
+        Box::pin(async move {
+            let title = of.material?.title();
+            for end in 1..title.len() {
+                self.0.lock().unwrap().recv().ok()?;
+                pause().await;
+                is_wanted().then_some(())?;
+                tell(title[..end].to_owned(), end as f64 / title.len() as f64);
+            }
             self.0.lock().unwrap().recv().ok()?;
-            is_wanted().then_some(())?;
-            tell(title[..end].to_owned(), end as f64 / title.len() as f64);
-        }
-        self.0.lock().unwrap().recv().ok()?;
-        Some(title)
+            Some(title)
+        })
     }
 }
 

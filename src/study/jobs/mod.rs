@@ -10,10 +10,11 @@
 //! the frame has time left. Without a clock (pictures, tests) everything is: so pictures need no patience and are the
 //! same bytes twice.
 
+use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::parallel::{Pool, threads};
-use bxdf_lab::analysis::{Detail, Pace};
+use bxdf_lab::analysis::{Detail, Pace, Steps, step};
 
 mod slot;
 
@@ -25,10 +26,20 @@ pub type Clock = fn() -> f64;
 /// Seconds of a frame that may be spent on answers; what is expected to take longer goes to the pool.
 const FRAME_BUDGET: f64 = 4e-3;
 
+/// Seconds of a frame in which tasks are worked on where there are no threads: none is begun after that.
+const SLICE: f64 = 8e-3;
+
+/// For how many seconds nothing must have been asked before full answers are begun where there are no threads: they may take
+/// longer than a frame, and something may be moving.
+const QUIET: f64 = 0.12;
+
 /// Something that waits in the queue.
 trait Task: Send + Sync {
     /// Answers in this detail, and calls `wake` after each part; says in which detail it wants to answer next, if at all.
     fn work(&self, detail: Detail, wake: &(dyn Fn() + Sync)) -> Option<Detail>;
+
+    /// Answers in full, step by step.
+    fn in_steps(self: Arc<Self>) -> Steps<'static, ()>;
 }
 
 /// The turn in which a query of this pace is answered first.
@@ -46,6 +57,8 @@ pub struct Jobs {
     clock: Option<Clock>,
     pool: Pool,
     spent: f64,
+    /// What takes seconds, where there are no threads: the first one is worked on in slices of frames.
+    long: VecDeque<Steps<'static, ()>>,
 }
 
 /// The tasks that wait, newest last, and what is to be done when one is answered.
@@ -63,6 +76,8 @@ struct QueueState {
     running: usize,
     serving: usize,
     is_closed: bool,
+    /// When something was asked last, in seconds of the clock.
+    pushed_at: Option<f64>,
 }
 
 /// What a lock protects. No code that holds one of these can panic half-way.
@@ -87,12 +102,13 @@ impl Queue {
         can_serve
     }
 
-    /// Works on the task that comes first; whether there was one.
-    fn work(&self, state: MutexGuard<'_, QueueState>) -> bool {
+    /// Works on the task that comes first, a coarse one alone unless `least` is full; whether there was one.
+    fn work(&self, state: MutexGuard<'_, QueueState>, least: Detail) -> bool {
         let mut state = state;
-        let first = match state.coarse.pop() {
-            Some(task) => Some((task, Detail::Coarse)),
-            None => state.full.pop().map(|task| (task, Detail::Full)),
+        let first = match (state.coarse.pop(), least) {
+            (Some(task), _) => Some((task, Detail::Coarse)),
+            (None, Detail::Full) => state.full.pop().map(|task| (task, Detail::Full)),
+            (None, Detail::Coarse) => None,
         };
         let Some((task, detail)) = first else {
             return false;
@@ -123,7 +139,7 @@ impl Queue {
                 state.serving -= 1;
                 return;
             }
-            self.work(state);
+            self.work(state, Detail::Full);
         }
     }
 }
@@ -145,30 +161,66 @@ impl Jobs {
             clock,
             pool,
             spent: 0.0,
+            long: VecDeque::new(),
         }
     }
 
-    /// Begins a frame. Where there are no workers, as in a browser, this is the time slice in which one task is done.
+    /// Begins a frame. Where there are no workers, as in a browser, this is the time slice in which tasks are done.
     pub fn begin_frame(&mut self) {
         self.spent = 0.0;
-        if self.clock.is_some() && !self.pool.has_threads() {
-            self.queue.work(locked(&self.queue.state));
+        if let Some(clock) = self.clock.filter(|_| !self.pool.has_threads()) {
+            self.work_in_slice(clock);
+        }
+    }
+
+    /// Works for a part of a frame: on first answers alone while something moves, and on what takes seconds where nothing else
+    /// waits.
+    fn work_in_slice(&mut self, clock: Clock) {
+        let start = clock();
+        let pushed_at = locked(&self.queue.state).pushed_at;
+        let is_quiet = pushed_at.is_none_or(|at| start - at > QUIET);
+        let least = if is_quiet {
+            Detail::Full
+        } else {
+            Detail::Coarse
+        };
+        while clock() - start < SLICE {
+            if self.queue.work(locked(&self.queue.state), least) {
+                continue;
+            }
+            let Some(first) = self.long.front_mut().filter(|_| is_quiet) else {
+                break;
+            };
+            if step(first).is_ready() {
+                self.long.pop_front();
+            }
+        }
+        if self.is_busy() {
+            // The next frame goes on.
+            (self.queue.wake)();
         }
     }
 
     /// Lets `task` wait for its first answer.
-    fn push(&self, pace: Pace, task: Arc<dyn Task>) {
+    fn push(&mut self, pace: Pace, task: Arc<dyn Task>) {
         let queue = Arc::clone(&self.queue);
-        if pace == Pace::Long && self.pool.has_threads() {
+        if !self.pool.has_threads() {
+            locked(&queue.state).pushed_at = self.clock.map(|clock| clock());
+            match pace {
+                Pace::Long => self.long.push_back(task.in_steps()),
+                _ => queue.push(first_turn(pace), task),
+            }
+            // The next frame has a slice for it.
+            (queue.wake)();
+            return;
+        }
+        if pace == Pace::Long {
             locked(&queue.state).running += 1;
             self.pool.spawn_long(move || queue.work_beside(&*task));
             return;
         }
         queue.push(first_turn(pace), task);
-        if !self.pool.has_threads() {
-            // The next frame is its time slice.
-            (queue.wake)();
-        } else if queue.can_serve() {
+        if queue.can_serve() {
             self.pool.spawn(move || queue.serve());
         }
     }
@@ -177,7 +229,8 @@ impl Jobs {
     #[must_use]
     pub fn is_busy(&self) -> bool {
         let state = locked(&self.queue.state);
-        state.running > 0 || !state.coarse.is_empty() || !state.full.is_empty()
+        let is_long = !self.long.is_empty();
+        is_long || state.running > 0 || !state.coarse.is_empty() || !state.full.is_empty()
     }
 
     /// Seconds of this frame spent on answers.

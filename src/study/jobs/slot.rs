@@ -3,44 +3,15 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
+use std::thread;
 
 use super::{Clock, Jobs, Task, first_turn, locked};
-use bxdf_lab::analysis::{Detail, Pace};
+use bxdf_lab::analysis::{Detail, Pace, Steps, finish};
 
-/// Tells a computation whether its answer is still wanted, and is told what there is of it so far.
-pub struct Watch<'a, V> {
-    newest: &'a AtomicU64,
-    number: u64,
-    tell: &'a (dyn Fn(V, f64) + Sync),
-}
+mod watch;
 
-impl<V> Watch<'_, V> {
-    /// Whether a newer query has been asked since.
-    #[must_use]
-    pub fn is_stale(&self) -> bool {
-        self.newest.load(Ordering::Relaxed) != self.number
-    }
-
-    /// Shows `value` until there is more of the answer; `share` of the work is done, 0..1.
-    pub fn tell(&self, value: V, share: f64) {
-        (self.tell)(value, share);
-    }
-}
-
-/// What answers a query: the answer, or nothing where it was given up.
-type Compute<V> = dyn Fn(Detail, &Watch<'_, V>) -> Option<V> + Send + Sync;
-
-/// How far an answer is of which a part is shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
-    /// The share of the work done, 0..1.
-    pub share: f64,
-    /// About how many seconds are left, once that can be said.
-    pub seconds_left: Option<f64>,
-}
-
-/// The share of the work from which on the rest can be estimated.
-const TELLING_SHARE: f64 = 0.02;
+use watch::{Compute, TELLING_SHARE};
+pub use watch::{Part, Watch};
 
 /// The last answer to a query, and the query that is being answered.
 pub struct Slot<K, V> {
@@ -136,7 +107,10 @@ where
         jobs: &mut Jobs,
         key: &K,
         pace: Pace,
-        compute: impl Fn(Detail, &Watch<'_, V>) -> Option<V> + Send + Sync + 'static,
+        compute: impl for<'a> Fn(Detail, &'a Watch<'a, V>) -> Steps<'a, Option<V>>
+        + Send
+        + Sync
+        + 'static,
     ) -> Answer<V> {
         self.collect();
         let is_full = |shown: &Shown<K, V>| shown.key == *key && shown.detail == Detail::Full;
@@ -207,20 +181,14 @@ where
         }
     }
 
-    fn answer_now(
-        &mut self,
-        jobs: &mut Jobs,
-        number: u64,
-        key: K,
-        compute: &impl Fn(Detail, &Watch<'_, V>) -> Option<V>,
-    ) {
+    fn answer_now(&mut self, jobs: &mut Jobs, number: u64, key: K, compute: &Compute<V>) {
         let watch = Watch {
             newest: &self.asked.newest,
             number,
             // The whole is there before anything is shown.
             tell: &|_, _| {},
         };
-        let (value, seconds) = jobs.timed(|| compute(Detail::Full, &watch));
+        let (value, seconds) = jobs.timed(|| finish(compute(Detail::Full, &watch)));
         locked(&self.asked.state).took = Some(seconds);
         if let Some(value) = value {
             self.show(Shown {
@@ -274,72 +242,85 @@ impl<K, V> Drop for Slot<K, V> {
     }
 }
 
-impl<K, V> Task for Asked<K, V>
+/// A query that is being answered.
+struct Run<K, V> {
+    number: u64,
+    key: K,
+    pace: Pace,
+    compute: Arc<Compute<V>>,
+    clock: Option<Clock>,
+    start: Option<f64>,
+}
+
+impl<K, V> Run<K, V> {
+    fn seconds(&self) -> Option<f64> {
+        let (clock, start) = self.clock.zip(self.start)?;
+        Some(clock() - start)
+    }
+}
+
+impl<K, V> Asked<K, V>
 where
     K: PartialEq + Clone + Send + Sync + 'static,
     V: Send + Sync + 'static,
 {
-    fn work(&self, turn: Detail, wake: &(dyn Fn() + Sync)) -> Option<Detail> {
-        let (number, key, pace, compute, clock) = {
-            let mut state = locked(&self.state);
-            let Some(query) = &state.query else {
-                state.is_queued = false;
-                return None;
-            };
-            let (key, compute) = (query.key.clone(), Arc::clone(&query.compute));
-            (query.number, key, query.pace, compute, query.clock)
-        };
-        let detail = match pace {
-            Pace::CoarseFirst => turn,
-            _ => Detail::Full,
-        };
-        // A first answer is always finished: else nothing new would be shown while the inputs keep changing.
-        let unchanging = AtomicU64::new(number);
-        let newest = match turn {
-            Detail::Coarse => &unchanging,
-            Detail::Full => &self.newest,
-        };
-        let start = clock.map(|clock| clock());
-        let seconds = || clock.zip(start).map(|(clock, start)| clock() - start);
-        let tell = |value: V, share: f64| {
-            let left = |seconds: f64| seconds * (1.0 / share - 1.0);
-            let part = Part {
-                share,
-                seconds_left: seconds().map(left).filter(|_| share > TELLING_SHARE),
-            };
-            locked(&self.state).answer = Some(Shown {
-                number,
-                key: key.clone(),
-                value: Arc::new(value),
-                detail: Detail::Coarse,
-                part: Some(part),
-            });
-            wake();
-        };
-        let watch = Watch {
-            newest,
-            number,
-            tell: &tell,
-        };
-        // Whatever panics says so by the hook of the program. The thread goes on with what others ask.
-        let computed = catch_unwind(AssertUnwindSafe(|| compute(detail, &watch)));
-        let has_failed = computed.is_err();
-        let value = computed.ok().flatten();
+    /// Begins to answer what is asked by now.
+    fn begin(&self) -> Option<Run<K, V>> {
         let mut state = locked(&self.state);
-        if let Some(value) = value {
+        let Some(query) = &state.query else {
+            state.is_queued = false;
+            return None;
+        };
+        Some(Run {
+            number: query.number,
+            key: query.key.clone(),
+            pace: query.pace,
+            compute: Arc::clone(&query.compute),
+            clock: query.clock,
+            start: query.clock.map(|clock| clock()),
+        })
+    }
+
+    /// Shows a part of the answer.
+    fn tell(&self, run: &Run<K, V>, value: V, share: f64) {
+        let left = |seconds: f64| seconds * (1.0 / share - 1.0);
+        let part = Part {
+            share,
+            seconds_left: run.seconds().map(left).filter(|_| share > TELLING_SHARE),
+        };
+        locked(&self.state).answer = Some(Shown {
+            number: run.number,
+            key: run.key.clone(),
+            value: Arc::new(value),
+            detail: Detail::Coarse,
+            part: Some(part),
+        });
+    }
+
+    /// Takes what has come of a run; says in which detail it wants to be answered next, if at all.
+    fn settle(
+        &self,
+        run: Run<K, V>,
+        detail: Detail,
+        value: thread::Result<Option<V>>,
+    ) -> Option<Detail> {
+        let has_failed = value.is_err();
+        let seconds = run.seconds();
+        let mut state = locked(&self.state);
+        if let Ok(Some(value)) = value {
             if detail == Detail::Full {
-                state.took = seconds();
+                state.took = seconds;
             }
             state.answer = Some(Shown {
-                number,
-                key,
+                number: run.number,
+                key: run.key,
                 value: Arc::new(value),
                 detail,
                 part: None,
             });
         }
         let next = match &state.query {
-            Some(query) if query.number != number => Some(first_turn(query.pace)),
+            Some(query) if query.number != run.number => Some(first_turn(query.pace)),
             Some(_) if detail == Detail::Coarse && !has_failed => Some(Detail::Full),
             _ => None,
         };
@@ -351,6 +332,55 @@ where
             state.is_queued = false;
         }
         next
+    }
+}
+
+impl<K, V> Task for Asked<K, V>
+where
+    K: PartialEq + Clone + Send + Sync + 'static,
+    V: Send + Sync + 'static,
+{
+    fn work(&self, turn: Detail, wake: &(dyn Fn() + Sync)) -> Option<Detail> {
+        let run = self.begin()?;
+        let detail = match run.pace {
+            Pace::CoarseFirst => turn,
+            _ => Detail::Full,
+        };
+        // A first answer is always finished: else nothing new would be shown while the inputs keep changing.
+        let unchanging = AtomicU64::new(run.number);
+        let newest = match turn {
+            Detail::Coarse => &unchanging,
+            Detail::Full => &self.newest,
+        };
+        let tell = |value: V, share: f64| {
+            self.tell(&run, value, share);
+            wake();
+        };
+        let watch = Watch {
+            newest,
+            number: run.number,
+            tell: &tell,
+        };
+        // Whatever panics says so by the hook of the program. The thread goes on with what others ask.
+        let computed = catch_unwind(AssertUnwindSafe(|| finish((run.compute)(detail, &watch))));
+        self.settle(run, detail, computed)
+    }
+
+    fn in_steps(self: Arc<Self>) -> Steps<'static, ()> {
+        Box::pin(async move {
+            while let Some(run) = self.begin() {
+                let tell = |value: V, share: f64| self.tell(&run, value, share);
+                let watch = Watch {
+                    newest: &self.newest,
+                    number: run.number,
+                    tell: &tell,
+                };
+                let value = (run.compute)(Detail::Full, &watch).await;
+                if self.settle(run, Detail::Full, Ok(value)).is_none() {
+                    return;
+                }
+            }
+        })
     }
 }
 

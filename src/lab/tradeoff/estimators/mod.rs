@@ -5,12 +5,13 @@ mod sequence;
 
 use std::f64::consts::TAU;
 
+use rayon::current_num_threads;
 use rayon::prelude::*;
 
 use crate::analysis::quadrature::Integral;
 use crate::analysis::{HeldLobe, Hold};
 use crate::timing::Timing;
-use crate::tradeoff::bench::{Bench, Family};
+use crate::tradeoff::bench::{Bench, Family, Measuring};
 use crate::tradeoff::report::{CostUnit, Point};
 use crate::tradeoff::study::{Stop, Study};
 use bxdf::Side;
@@ -68,31 +69,35 @@ impl Family for Estimators {
         8.0
     }
 
-    fn measure(&self, study: &Study<'_>, bench: &mut Bench<'_>) -> Result<(), Stop> {
-        let truth = Truth::of(study)?;
-        let degrees = bxdf::math::frame::theta(study.held).to_degrees();
-        bench.reference(format!(
-            "rho_hd at {degrees:.0} degrees by adaptive quadrature, estimated relative error {:.0e}",
-            truth.error / truth.rho
-        ));
-        let sides =
-            [Side::Reflection, Side::Transmission].map(|side| study.material.has_side(side));
-        let surface = Surface {
-            bxdf: study.bxdf(),
-            wo: study.held.into(),
-            sides,
-        };
-        let kinds = Sequence::ALL
-            .into_iter()
-            .flat_map(|sequence| Method::ALL.map(|method| Sampled { method, sequence }));
-        let kinds: Vec<Sampled> = kinds.collect();
-        for (index, kind) in kinds.iter().enumerate() {
-            bench.at(index as f64 / (kinds.len() + 1) as f64)?;
-            kind.measure(&surface, &truth, bench)?;
-        }
-        bench.at(kinds.len() as f64 / (kinds.len() + 1) as f64)?;
-        product_rule(&surface, &truth, bench)?;
-        adaptive(study, &truth, bench)
+    fn measure<'a>(&'a self, study: &'a Study<'_>, bench: &'a mut Bench<'_>) -> Measuring<'a> {
+        Box::pin(async move {
+            let truth = Truth::of(study)?;
+            let degrees = bxdf::math::frame::theta(study.held).to_degrees();
+            bench.reference(format!(
+                "rho_hd at {degrees:.0} degrees by adaptive quadrature, estimated relative error {:.0e}",
+                truth.error / truth.rho
+            ));
+            let sides =
+                [Side::Reflection, Side::Transmission].map(|side| study.material.has_side(side));
+            let surface = Surface {
+                bxdf: study.bxdf(),
+                wo: study.held.into(),
+                sides,
+            };
+            let kinds = Sequence::ALL
+                .into_iter()
+                .flat_map(|sequence| Method::ALL.map(|method| Sampled { method, sequence }));
+            let kinds: Vec<Sampled> = kinds.collect();
+            for (index, kind) in kinds.iter().enumerate() {
+                bench.at(index as f64 / (kinds.len() + 1) as f64).await?;
+                kind.measure(&surface, &truth, bench).await?;
+            }
+            bench
+                .at(kinds.len() as f64 / (kinds.len() + 1) as f64)
+                .await?;
+            product_rule(&surface, &truth, bench).await?;
+            adaptive(study, &truth, bench).await
+        })
     }
 }
 
@@ -196,21 +201,25 @@ impl Sampled {
             .collect()
     }
 
-    fn measure(
+    async fn measure(
         &self,
         surface: &Surface<'_>,
         truth: &Truth,
         bench: &mut Bench<'_>,
     ) -> Result<(), Stop> {
         let name = self.name();
-        // Each by itself, the same on any number of threads.
-        let errors: Vec<Vec<f64>> = (0..SEEDS)
-            .into_par_iter()
-            .map(|seed| self.errors(surface, truth, seed))
-            .collect();
+        // Each by itself, the same on any number of threads; on one of them each is a step.
+        let at_once = if current_num_threads() > 1 { SEEDS } else { 1 };
+        let mut errors: Vec<Vec<f64>> = Vec::new();
+        for first in (0..SEEDS).step_by(at_once as usize) {
+            let seeds = (first..first + at_once).into_par_iter();
+            let some = seeds.map(|seed| self.errors(surface, truth, seed));
+            errors.extend(some.collect::<Vec<_>>());
+            bench.wanted().await?;
+        }
         let mut last = None;
         for (place, log_n) in (FEWEST..=self.sequence.longest()).enumerate() {
-            bench.wanted()?;
+            bench.wanted().await?;
             let n = 1_u64 << log_n;
             let here: Vec<f64> = errors
                 .iter()
@@ -234,7 +243,11 @@ impl Sampled {
 }
 
 /// Gauss-Legendre nodes in the cosine times as many in the azimuth, over each side.
-fn product_rule(surface: &Surface<'_>, truth: &Truth, bench: &mut Bench<'_>) -> Result<(), Stop> {
+async fn product_rule(
+    surface: &Surface<'_>,
+    truth: &Truth,
+    bench: &mut Bench<'_>,
+) -> Result<(), Stop> {
     let is_above = surface.wo.z > 0.0;
     let signs: Vec<f64> = [is_above, !is_above]
         .into_iter()
@@ -242,7 +255,7 @@ fn product_rule(surface: &Surface<'_>, truth: &Truth, bench: &mut Bench<'_>) -> 
         .filter_map(|(is_up, is_lit)| is_lit.then_some(if is_up { 1.0 } else { -1.0 }))
         .collect();
     for log_nodes in NODES {
-        bench.wanted()?;
+        bench.wanted().await?;
         let rule = gauss_legendre(1 << log_nodes);
         let (mut wi, mut weights) = (Vec::new(), Vec::new());
         for sign in &signs {
@@ -276,11 +289,11 @@ fn product_rule(surface: &Surface<'_>, truth: &Truth, bench: &mut Bench<'_>) -> 
 }
 
 /// The adaptive quadrature at several tolerances.
-fn adaptive(study: &Study<'_>, truth: &Truth, bench: &mut Bench<'_>) -> Result<(), Stop> {
+async fn adaptive(study: &Study<'_>, truth: &Truth, bench: &mut Bench<'_>) -> Result<(), Stop> {
     let lobe = HeldLobe::new(study.bxdf(), Hold::Viewer, study.held);
     let lobes = lobe.lobes().len().max(1) as f64;
     for tolerance in TOLERANCES {
-        bench.wanted()?;
+        bench.wanted().await?;
         let estimate = || {
             let parts = lobe.integrals(tolerance * truth.rho / lobes, REFERENCE_EVALUATIONS);
             let value: f64 = parts.iter().map(|part| luminance(part.value)).sum();

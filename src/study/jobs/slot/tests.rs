@@ -17,6 +17,13 @@ fn pool() -> (Jobs, mpsc::Receiver<()>) {
     (jobs, receiver)
 }
 
+/// What `compute` makes, in one step.
+fn at_once<V: Send + Sync + 'static>(
+    compute: impl Fn(Detail, &Watch<'_, V>) -> Option<V> + Send + Sync + 'static,
+) -> impl for<'a> Fn(Detail, &'a Watch<'a, V>) -> Steps<'a, Option<V>> + Send + Sync + 'static {
+    move |detail, watch| Box::pin(std::future::ready(compute(detail, watch)))
+}
+
 fn wait(announced: &mpsc::Receiver<()>) {
     announced
         .recv_timeout(Duration::from_secs(10))
@@ -37,9 +44,12 @@ fn answers_come_coarse_first() {
     let compute = Arc::new(compute);
     let ask = |slot: &mut Slot<_, _>, jobs: &mut Jobs| {
         let compute = Arc::clone(&compute);
-        slot.ask(jobs, &1, Pace::CoarseFirst, move |detail, watch| {
-            compute(detail, watch)
-        })
+        slot.ask(
+            jobs,
+            &1,
+            Pace::CoarseFirst,
+            at_once(move |detail, watch| compute(detail, watch)),
+        )
     };
     assert!(ask(&mut slot, &mut jobs).value.is_none());
     open.send(()).unwrap();
@@ -62,17 +72,22 @@ fn the_newest_question_counts() {
     let answered = Arc::new(AtomicUsize::new(0));
     let mut ask = |key: u32| {
         let answered = Arc::clone(&answered);
-        slot.ask(&mut jobs, &key, Pace::CoarseFirst, move |detail, watch| {
-            // The first query's full answer would take forever.
-            while key == 1 && detail == Detail::Full && !watch.is_stale() {
-                std::thread::yield_now();
-            }
-            if watch.is_stale() {
-                return None;
-            }
-            answered.fetch_add(1, Ordering::Relaxed);
-            Some(key)
-        })
+        slot.ask(
+            &mut jobs,
+            &key,
+            Pace::CoarseFirst,
+            at_once(move |detail, watch| {
+                // The first query's full answer would take forever.
+                while key == 1 && detail == Detail::Full && !watch.is_stale() {
+                    std::thread::yield_now();
+                }
+                if watch.is_stale() {
+                    return None;
+                }
+                answered.fetch_add(1, Ordering::Relaxed);
+                Some(key)
+            }),
+        )
     };
     ask(1);
     wait(&announced);
@@ -96,29 +111,29 @@ fn the_newest_question_counts() {
 fn short_work_is_done_at_once() {
     let (mut jobs, announced) = pool();
     let mut slot = Slot::<u32, u32>::default();
-    slot.ask(&mut jobs, &1, Pace::CoarseFirst, |_, _| Some(1));
+    slot.ask(&mut jobs, &1, Pace::CoarseFirst, at_once(|_, _| Some(1)));
     wait(&announced);
     wait(&announced);
     assert!(
-        slot.ask(&mut jobs, &1, Pace::CoarseFirst, |_, _| None)
+        slot.ask(&mut jobs, &1, Pace::CoarseFirst, at_once(|_, _| None))
             .detail
             == Some(Detail::Full)
     );
     assert_eq!(
-        slot.ask(&mut jobs, &2, Pace::CoarseFirst, |_, _| Some(2))
+        slot.ask(&mut jobs, &2, Pace::CoarseFirst, at_once(|_, _| Some(2)))
             .value
             .as_deref(),
         Some(&2)
     );
     jobs.spent = FRAME_BUDGET;
     assert!(
-        slot.ask(&mut jobs, &3, Pace::CoarseFirst, |_, _| Some(3))
+        slot.ask(&mut jobs, &3, Pace::CoarseFirst, at_once(|_, _| Some(3)))
             .detail
             != Some(Detail::Full)
     );
     jobs.begin_frame();
     assert!(
-        slot.ask(&mut jobs, &4, Pace::CoarseFirst, |_, _| Some(4))
+        slot.ask(&mut jobs, &4, Pace::CoarseFirst, at_once(|_, _| Some(4)))
             .detail
             == Some(Detail::Full)
     );
@@ -129,9 +144,12 @@ fn without_a_clock_everything_is_answered_at_once() {
     let mut jobs = Jobs::new(None, Pool::at_once(), || {});
     let mut slot = Slot::<u32, u32>::default();
     for key in [1, 2] {
-        let answer = slot.ask(&mut jobs, &key, Pace::CoarseFirst, move |detail, _| {
-            (detail == Detail::Full).then_some(key)
-        });
+        let answer = slot.ask(
+            &mut jobs,
+            &key,
+            Pace::CoarseFirst,
+            at_once(move |detail, _| (detail == Detail::Full).then_some(key)),
+        );
         assert!(answer.detail == Some(Detail::Full) && answer.value.as_deref() == Some(&key));
     }
     assert!(!jobs.is_busy() && slot.version() == 2);
@@ -142,21 +160,21 @@ fn without_a_clock_everything_is_answered_at_once() {
 fn a_slot_follows_another() {
     let mut jobs = Jobs::new(None, Pool::at_once(), || {});
     let [mut first, mut second] = [Slot::<u32, u32>::default(), Slot::default()];
-    second.ask(&mut jobs, &7, Pace::Short, |_, _| Some(7));
-    let computed = first.ask(&mut jobs, &1, Pace::Short, |_, _| Some(1));
+    second.ask(&mut jobs, &7, Pace::Short, at_once(|_, _| Some(7)));
+    let computed = first.ask(&mut jobs, &1, Pace::Short, at_once(|_, _| Some(1)));
     let followed = second.follow(&first, &1);
     assert!(followed.detail == Some(Detail::Full));
     assert!(Arc::ptr_eq(
         &computed.value.unwrap(),
         &followed.value.unwrap()
     ));
-    let own = second.ask(&mut jobs, &1, Pace::Short, |_, _| None);
+    let own = second.ask(&mut jobs, &1, Pace::Short, at_once(|_, _| None));
     assert!(own.detail == Some(Detail::Full) && own.value.as_deref() == Some(&1));
-    let other = second.ask(&mut jobs, &2, Pace::Short, |_, _| Some(2));
+    let other = second.ask(&mut jobs, &2, Pace::Short, at_once(|_, _| Some(2)));
     assert_eq!(other.value.as_deref(), Some(&2));
     assert_eq!(
         first
-            .ask(&mut jobs, &1, Pace::Short, |_, _| None)
+            .ask(&mut jobs, &1, Pace::Short, at_once(|_, _| None))
             .value
             .as_deref(),
         Some(&1)
@@ -182,7 +200,11 @@ fn a_long_answer_is_told_in_parts_and_holds_nothing_up() {
         }
         Some(parts)
     };
-    assert!(slot.ask(&mut jobs, &1, Pace::Long, compute).value.is_none());
+    assert!(
+        slot.ask(&mut jobs, &1, Pace::Long, at_once(compute))
+            .value
+            .is_none()
+    );
     for part in 1..=3 {
         open.send(()).unwrap();
         let told: Vec<u32> = (1..=part).collect();
@@ -201,7 +223,12 @@ fn a_long_answer_is_told_in_parts_and_holds_nothing_up() {
         let mut short = Slot::<u32, u32>::default();
         for key in 0..20 {
             while short
-                .ask(&mut jobs, &key, Pace::CoarseFirst, move |_, _| Some(key))
+                .ask(
+                    &mut jobs,
+                    &key,
+                    Pace::CoarseFirst,
+                    at_once(move |_, _| Some(key)),
+                )
                 .detail
                 != Some(Detail::Full)
             {
@@ -225,12 +252,17 @@ fn what_was_asked_of_a_slot_ends_with_it() {
     let (mut jobs, announced) = pool();
     for pace in [Pace::Background, Pace::Long] {
         let mut slot = Slot::<u32, u32>::default();
-        slot.ask(&mut jobs, &1, pace, |_, watch| {
-            while !watch.is_stale() {
-                std::thread::yield_now();
-            }
-            None
-        });
+        slot.ask(
+            &mut jobs,
+            &1,
+            pace,
+            at_once(|_, watch| {
+                while !watch.is_stale() {
+                    std::thread::yield_now();
+                }
+                None
+            }),
+        );
         drop(slot);
         while jobs.is_busy() {
             wait(&announced);
@@ -238,20 +270,70 @@ fn what_was_asked_of_a_slot_ends_with_it() {
     }
 }
 
-/// Without threads a long answer has a frame for itself.
+/// A clock that the test below moves on, in milliseconds.
+static NOW: AtomicU64 = AtomicU64::new(1000);
+
+fn moved_on() -> f64 {
+    1e-3 * NOW.load(Ordering::Relaxed) as f64
+}
+
+/// Without threads frames have slices: first answers in the next ones, as many as fit, all others once nothing moves.
 #[test]
-fn without_threads_each_frame_has_a_task() {
-    let clock: Clock = platform::seconds;
-    let mut jobs = Jobs::new(Some(clock), Pool::at_once(), || {});
-    for pace in [Pace::Short, Pace::Background, Pace::Long] {
+fn without_threads_answers_come_in_slices_of_frames() {
+    let mut jobs = Jobs::new(Some(moved_on), Pool::at_once(), || {});
+    let pass = |milliseconds| NOW.fetch_add(milliseconds, Ordering::Relaxed);
+    for (pace, waits) in [
+        (Pace::Short, false),
+        (Pace::Background, true),
+        (Pace::Long, true),
+    ] {
         let mut slot = Slot::<u32, u32>::default();
-        let mut ask = |jobs: &mut Jobs| slot.ask(jobs, &1, pace, |_, _| Some(1)).detail;
+        let mut ask = |jobs: &mut Jobs| slot.ask(jobs, &1, pace, at_once(|_, _| Some(1))).detail;
         assert_eq!(ask(&mut jobs), None);
+        jobs.begin_frame();
+        assert_eq!(ask(&mut jobs).is_none(), waits, "{pace:?}");
+        pass(200);
         jobs.begin_frame();
         assert_eq!(ask(&mut jobs), Some(Detail::Full));
     }
+    let mut slots: [Slot<u32, u32>; 3] = Default::default();
+    let mut ask = |jobs: &mut Jobs| {
+        let compute = move |detail, _: &Watch<'_, u32>| {
+            pass(5);
+            Some(u32::from(detail == Detail::Full))
+        };
+        let mut details = Vec::new();
+        for slot in &mut slots {
+            details.push(
+                slot.ask(jobs, &1, Pace::CoarseFirst, at_once(compute))
+                    .detail,
+            );
+        }
+        details
+    };
+    assert_eq!(ask(&mut jobs), [None; 3]);
+    jobs.begin_frame();
+    let coarse = Some(Detail::Coarse);
+    assert_eq!(
+        ask(&mut jobs),
+        [None, coarse, coarse],
+        "two of 5 ms fill the slice"
+    );
+    jobs.begin_frame();
+    assert_eq!(
+        ask(&mut jobs),
+        [coarse; 3],
+        "and nothing is refined meanwhile"
+    );
+    pass(200);
+    jobs.begin_frame();
+    let full = ask(&mut jobs)
+        .iter()
+        .filter(|detail| **detail == Some(Detail::Full))
+        .count();
+    assert_eq!(full, 2);
     let mut slot = Slot::<u32, u32>::default();
-    let answer = slot.ask(&mut jobs, &1, Pace::AtOnce, |_, _| Some(1));
+    let answer = slot.ask(&mut jobs, &1, Pace::AtOnce, at_once(|_, _| Some(1)));
     assert_eq!(answer.detail, Some(Detail::Full));
 }
 
@@ -265,7 +347,7 @@ fn what_panics_holds_nothing_up() {
             assert!(key != 1, "a fault that the test plants");
             Some(key)
         };
-        slot.ask(&mut jobs, &key, pace, compute).value
+        slot.ask(&mut jobs, &key, pace, at_once(compute)).value
     };
     for pace in [Pace::CoarseFirst, Pace::Background, Pace::Long] {
         assert!(ask(&mut failing, 1, pace).is_none());
