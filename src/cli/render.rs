@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use super::args::{self, Angles, Given};
 use super::output;
-use super::say;
 use bxdf::Material;
 use bxdf::error::{Error, Result, shown};
 use bxdf_lab::analysis::Hold;
@@ -17,6 +16,7 @@ use bxdf_study::session::{Materials, Session, ViewId, wrapped_deg};
 use bxdf_study::views::{self, ViewKind, tradeoff};
 
 mod lesson;
+mod origin;
 
 /// The widest and tallest picture, in pixels: what graphics adapters of the lowest class can draw into.
 const MAX_PIXELS: u32 = 8192;
@@ -42,8 +42,8 @@ pub(super) struct OfWindow {
 /// The arguments of a picture.
 #[derive(clap::Args, Debug)]
 pub struct Arguments {
-    /// The session to start from
-    #[arg(long, value_name = "FILE")]
+    /// The session to start from: a file, or a link to one (...#s=...)
+    #[arg(long, value_name = "FILE|LINK")]
     session: Option<PathBuf>,
     /// A material to show, may be given several times: id of a model or named material, id:name=value,name=value, a material file or a file of data
     #[arg(long = "material", value_name = "MATERIAL", value_parser = args::material())]
@@ -296,25 +296,14 @@ pub(super) fn chosen(
     Ok((session, view))
 }
 
-/// What a file of a session is.
-const SESSION_FILE: &str = "a session is read from TOML text, as the window saves it";
-
-/// The session to draw, before a view of it is chosen: the file's or the start, changed by what else was asked for.
+/// The session to draw, before a view of it is chosen: the file's, the link's or the start, changed by what else was asked for.
 ///
 /// # Errors
-/// Where the file cannot be read, and where the materials are too many.
+/// Where it cannot be read, and where the materials are too many.
 fn session(request: &RenderArgs) -> Result<Session> {
     let mut session = match &request.session {
         None => Session::default(),
-        Some(path) => {
-            let text = bxdf_study::files::text_at(path, SESSION_FILE)?;
-            let mut read = Session::read_toml(&text, &path.display().to_string())?;
-            let folder = path.parent().unwrap_or(Path::new(""));
-            read.session.rooted_at(folder);
-            read.session.fetch(&bxdf_study::files::data_at);
-            read.remarks().iter().for_each(|line| say::say(line));
-            read.session
-        }
+        Some(path) => origin::read(path)?,
     };
     if !request.materials.is_empty() {
         session.materials = Materials::new(request.materials.clone())?;

@@ -13,6 +13,7 @@ pub mod format;
 pub mod history;
 pub mod jobs;
 pub mod lessons;
+pub mod link;
 pub mod memo;
 pub mod number;
 pub mod parallel;

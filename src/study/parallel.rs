@@ -122,6 +122,26 @@ impl Pool {
         made
     }
 
+    /// What comes of what `begin` begins, which may take seconds, and may wait for others meanwhile; `wake` is called then.
+    pub fn complete<T: Send + 'static, F: Future<Output = T> + 'static>(
+        &self,
+        begin: impl FnOnce() -> F + Send + 'static,
+        wake: impl FnOnce() + Send + 'static,
+    ) -> Receiver<T> {
+        #[cfg(not(target_arch = "wasm32"))]
+        return self.compute(move || pollster::block_on(begin()), wake);
+        #[cfg(target_arch = "wasm32")]
+        {
+            let (sender, made) = mpsc::channel();
+            wasm_bindgen_futures::spawn_local(async move {
+                // Nobody listens where the page is closed meanwhile.
+                let _ = sender.send(begin().await);
+                wake();
+            });
+            made
+        }
+    }
+
     /// What comes of `work`, which waits rather than computes: for files, for other programs. `wake` is called then. Where no
     /// thread is to be had for it, the receiver hears that nobody sends.
     pub fn wait_for<T: Send + 'static>(

@@ -14,6 +14,16 @@ pub fn seconds() -> f64 {
         .as_secs_f64()
 }
 
+/// The number of this process among those of the machine; a page in a browser has none.
+#[must_use]
+pub fn process() -> u32 {
+    if cfg!(target_arch = "wasm32") {
+        0
+    } else {
+        std::process::id()
+    }
+}
+
 /// Opens a folder in the system's program for folders, and waits until that is done or has failed.
 ///
 /// # Errors

@@ -7,6 +7,7 @@ use std::task::{Context, Poll, Waker};
 
 use rfd::{AsyncFileDialog, FileHandle};
 
+use bxdf_study::lessons;
 use bxdf_study::readers::{self, Reader};
 use bxdf_study::store::{Answer, Dialogs, FileDialog};
 
@@ -30,7 +31,10 @@ fn with_readers(dialog: AsyncFileDialog) -> AsyncFileDialog {
         own.flat_map(|own| [(*own).to_owned(), own.to_uppercase()])
             .collect::<Vec<_>>()
     };
-    let lessons = ["md".to_owned(), "MD".to_owned()];
+    let lessons = [
+        lessons::EXTENSION.to_owned(),
+        lessons::EXTENSION.to_uppercase(),
+    ];
     let all: Vec<String> = readers
         .iter()
         .flat_map(|reader| endings(&**reader))

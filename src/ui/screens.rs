@@ -1,6 +1,8 @@
 //! Where the window stands on the screens, from one run to the next.
 
-use egui::{Context, Pos2, Rect, Vec2, ViewportBuilder, pos2, vec2};
+use egui::Context;
+#[cfg(not(target_arch = "wasm32"))]
+use egui::{Pos2, Rect, Vec2, ViewportBuilder, pos2, vec2};
 
 use bxdf_study::store::WindowPlace;
 
@@ -47,7 +49,7 @@ pub fn keep_on_screen(cc: &eframe::CreationContext<'_>) {
 }
 
 /// Where a window goes that no screen shows as a whole: to the screen that shows most of it, else to the first.
-#[cfg(any(test, not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 fn moved(window: Rect, screens: &[Rect]) -> Option<Pos2> {
     let shown = |screen: &Rect| screen.intersect(window).area().max(0.0);
     let is_seen = |screen: &&Rect| screen.intersects(window);

@@ -234,6 +234,7 @@ impl App {
     fn show_windows(&mut self, ctx: &Context, views: Rect) {
         self.show_figure_dialog(ctx);
         self.show_path_field(ctx);
+        self.show_page_field(ctx);
         if self.is_help_shown {
             self.is_help_shown = help::show(ctx);
         }

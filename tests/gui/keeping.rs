@@ -16,7 +16,7 @@ use brdf_explorer::study::export::Format;
 use brdf_explorer::study::export::figure::Use;
 use brdf_explorer::study::platform;
 use brdf_explorer::study::session::Session;
-use brdf_explorer::study::store::{Answer, Disk, Files, Found};
+use brdf_explorer::study::store::{Answer, Disk, Files, Found, Held};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::export;
 use eframe::App as _;
@@ -200,7 +200,7 @@ impl Files for Full {
         Disk.look(path)
     }
 
-    fn lock(&self, path: &Path) -> io::Result<Option<fs::File>> {
+    fn lock(&self, path: &Path) -> io::Result<Option<Held>> {
         Disk.lock(path)
     }
 }

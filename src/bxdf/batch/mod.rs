@@ -80,7 +80,7 @@ pub(crate) fn plain<R: Real, B: Lobes<R> + ?Sized>(bxdf: &B, job: Job<'_, R>) {
 macro_rules! loops {
     ($real:ident, if $is_wide:expr) => {
         fn batch(&self, path: $crate::batch::Path, job: $crate::batch::Job<'_, $real>) {
-            use $crate::batch::{self, Job, Path};
+            use $crate::batch::{self, Job};
             use $crate::math::Real;
 
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -104,8 +104,12 @@ macro_rules! loops {
                 if $is_wide {
                     let level = fearless_simd::Level::new();
                     match (path, level.as_avx512(), level.as_avx2()) {
-                        (Path::Dispatched, Some(avx512), _) => return wide(avx512, self, job),
-                        (Path::Dispatched, None, Some(avx2)) => return wide(avx2, self, job),
+                        (batch::Path::Dispatched, Some(avx512), _) => {
+                            return wide(avx512, self, job);
+                        }
+                        (batch::Path::Dispatched, None, Some(avx2)) => {
+                            return wide(avx2, self, job);
+                        }
                         _ => {}
                     }
                 }

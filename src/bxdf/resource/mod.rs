@@ -311,6 +311,20 @@ impl Resource {
         Self::pending(self.origin.clone(), None)
     }
 
+    /// Whether it is missing, and of a file of the same name as the one at `path`, in whatever folder.
+    #[must_use]
+    pub fn is_missing_file(&self, path: &Path) -> bool {
+        let is_named = |own: &Path| own.file_name() == path.file_name();
+        matches!(&self.origin, Origin::File(own) if is_named(own))
+            && matches!(self.content, Content::Missing(_))
+    }
+
+    /// The same, to be looked for in the file at `path`.
+    #[must_use]
+    pub fn moved_to(&self, path: &Path) -> Self {
+        Self::pending(Origin::File(path.to_owned()), self.expected)
+    }
+
     /// Whether its content stands in the texts that name it: what has no other place, what came so, and what is small.
     #[must_use]
     pub fn is_embedded(&self) -> bool {

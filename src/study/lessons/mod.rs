@@ -28,7 +28,7 @@ pub use named::Named;
 pub use patch::Patch;
 pub use read::read;
 pub use scenes::Scenes;
-pub use shelf::{Shelf, is_lesson, lessons, questions};
+pub use shelf::{EXTENSION, Shelf, is_lesson, lessons, questions};
 pub use text::{Block, Span, Style, Thing, plain, plain_spans, spans};
 pub use work::Work;
 pub use worth::Worth;

@@ -4,7 +4,8 @@
 use std::path::Path;
 
 use super::lesson::Lesson;
-use super::shelf::{lessons, opened, questions};
+use super::shelf::{EXTENSION, lessons, opened, questions};
+use crate::link;
 use bxdf::error::{Error, Result, shown};
 
 /// A lesson by what it is called, with a step of it where one is named.
@@ -17,13 +18,28 @@ pub struct Named {
 }
 
 impl Named {
-    /// Reads `NN[.STEP]`. NN: the id of a lesson or a question; the number that the id begins with, which is a question's
+    /// Reads `NN[.STEP]`, or a link to that. NN: the id of a lesson or a question; the number that the id begins with, which is a question's
     /// where no lesson has it; or the path of a file that ends in `.md`. STEP: from 1 on.
     ///
     /// # Errors
     /// [`Error::UnknownId`] where there is no such lesson, with the nearest; [`Error::Parse`] where it has no such step, and
     /// where a file is no lesson; [`Error::Io`] where it cannot be read.
     pub fn read(text: &str) -> Result<Self> {
+        match link::step_in(text) {
+            Some(named) => Self::listed(named),
+            None => Self::found(text, |name| file(name).or_else(|| listed(name))),
+        }
+    }
+
+    /// [`Self::read`], of the lessons of the program alone: whoever wrote the text names no file.
+    ///
+    /// # Errors
+    /// The same, but those of files.
+    pub fn listed(text: &str) -> Result<Self> {
+        Self::found(text, listed)
+    }
+
+    fn found(text: &str, found: impl Fn(&str) -> Option<Result<Lesson>>) -> Result<Self> {
         if let Some(lesson) = found(text) {
             let lesson = lesson?;
             return Ok(Self { lesson, step: None });
@@ -59,12 +75,15 @@ fn unknown(name: &str) -> Error {
     Error::unknown("lesson", name, all().map(|lesson| lesson.id.as_str()))
 }
 
-/// The lesson of this name, if it is one.
-fn found(name: &str) -> Option<Result<Lesson>> {
+/// The lesson of the file of this name, if it is one of a lesson.
+fn file(name: &str) -> Option<Result<Lesson>> {
     let path = Path::new(name);
-    if path.extension().is_some_and(|end| end == "md") {
-        return Some(opened(path));
-    }
+    let is_lesson = path.extension().is_some_and(|end| end == EXTENSION);
+    is_lesson.then(|| opened(path))
+}
+
+/// The lesson of the program of this name, if it is one.
+fn listed(name: &str) -> Option<Result<Lesson>> {
     let number = name.parse::<u32>().ok();
     let has_number = |lesson: &&Lesson| {
         let begin = lesson.id.split('-').next();
@@ -121,6 +140,10 @@ mod tests {
             ("1.99999999999999999999", "it has steps 1 to"),
             ("01-why-one-over-pi.2", "it has one step: 1"),
         ] {
+            if file(text).is_none() {
+                let listed = Named::listed(text).unwrap_err().to_string();
+                assert!(listed.contains(expected), "{text}: {listed}");
+            }
             let error = Named::read(text).unwrap_err().to_string();
             assert!(error.contains(expected), "{text}: {error}");
         }

@@ -46,9 +46,14 @@ pub(super) fn texts(folder: &Dir<'static>) -> impl Iterator<Item = (&'static str
     all.into_iter()
 }
 
+/// What the name of a file of a lesson ends in.
+pub const EXTENSION: &str = "md";
+
 /// The id of the lesson in a file; `None` where the file holds none.
 fn lesson_id(path: &Path) -> Option<&str> {
-    let is_markdown = path.extension().is_some_and(|extension| extension == "md");
+    let is_markdown = path
+        .extension()
+        .is_some_and(|extension| extension == EXTENSION);
     let id = path.file_stem()?.to_str()?;
     (is_markdown && !id.eq_ignore_ascii_case("readme")).then_some(id)
 }
@@ -69,6 +74,19 @@ pub struct Shelf {
 }
 
 impl Shelf {
+    /// The lesson of a file that has been read; `path` names it.
+    ///
+    /// # Errors
+    /// Where the text is no lesson.
+    pub fn of_text(text: &str, path: &Path) -> Result<Self> {
+        let id = path.file_stem().map(|stem| stem.to_string_lossy());
+        let place = path.display().to_string();
+        Ok(Self {
+            lessons: vec![read(text, &id.unwrap_or_default(), &place)?],
+            problems: Vec::new(),
+        })
+    }
+
     /// The lesson of a file, or those of all files of a folder, the rest of which loads where some are broken.
     ///
     /// # Errors

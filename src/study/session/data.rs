@@ -60,6 +60,22 @@ impl Session {
             .collect()
     }
 
+    /// Whether data of a file with the name of the one at `path` is missing.
+    #[must_use]
+    pub fn is_missing_file(&self, path: &Path) -> bool {
+        self.resources()
+            .any(|resource| resource.is_missing_file(path))
+    }
+
+    /// Looks anew for the data that is missing of a file of this name: in the one at `path`.
+    pub fn look_in(&mut self, path: &Path) {
+        self.map_resources(&mut |resource| {
+            if resource.is_missing_file(path) {
+                *resource = resource.moved_to(path);
+            }
+        });
+    }
+
     /// Takes what was found for data that was awaited, wherever it is.
     pub fn take_data(&mut self, awaited: &Resource, found: &Content) {
         self.map_resources(&mut |resource| resource.take(awaited, found));

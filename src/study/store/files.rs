@@ -1,5 +1,6 @@
 //! The file system, as the window uses it.
 
+use std::any::Any;
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -16,6 +17,9 @@ pub enum Found {
     /// A device, a pipe or the like: nothing that may be moved or replaced.
     Other,
 }
+
+/// A hold on a file, until it is dropped.
+pub type Held = Box<dyn Any + Send + Sync>;
 
 /// Reading and writing files: the one place of the window that does it, and what tests replace by one that fails.
 pub trait Files: Send + Sync {
@@ -60,7 +64,7 @@ pub trait Files: Send + Sync {
     ///
     /// # Errors
     /// The system's, where it knows no locks among others.
-    fn lock(&self, path: &Path) -> io::Result<Option<File>>;
+    fn lock(&self, path: &Path) -> io::Result<Option<Held>>;
 
     /// Where what is written at `path` belongs: behind the links that stand there, `path` itself where none does.
     ///
@@ -68,6 +72,11 @@ pub trait Files: Send + Sync {
     /// Where links lead to one another in a circle.
     fn behind_links(&self, path: &Path) -> io::Result<PathBuf> {
         Ok(path.to_owned())
+    }
+
+    /// Whether files have places of their own, where they are found again: in a browser they have none.
+    fn has_places(&self) -> bool {
+        true
     }
 }
 
@@ -118,13 +127,13 @@ impl Files for Disk {
         })
     }
 
-    fn lock(&self, path: &Path) -> io::Result<Option<File>> {
+    fn lock(&self, path: &Path) -> io::Result<Option<Held>> {
         use std::fs::TryLockError;
 
         let mut options = File::options();
         let file = options.create(true).append(true).open(path)?;
         match file.try_lock() {
-            Ok(()) => Ok(Some(file)),
+            Ok(()) => Ok(Some(Box::new(file))),
             Err(TryLockError::WouldBlock) => Ok(None),
             Err(TryLockError::Error(error)) => Err(error),
         }

@@ -3,10 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
 use super::colors::Theme;
 use super::export::figure::FigureChoice;
+use super::lessons::Shelf;
 use super::parallel::Pool;
 use super::session::{Opened, Session};
 #[cfg(doc)]
@@ -21,14 +20,17 @@ mod labels;
 mod own;
 mod partial;
 mod place;
+mod preferences;
 mod progress;
 mod window;
 
 pub use dialogs::{Answer, Dialogs, FileDialog};
-pub use files::{Disk, Files, Found};
+pub use files::{Disk, Files, Found, Held};
 pub use labels::LabelSize;
 pub use own::{Keeping, News, Restored};
 pub use partial::{Partial, abandon_partial};
+use preferences::Preferences;
+pub use preferences::Side;
 pub use progress::Progress;
 pub use window::WindowPlace;
 
@@ -37,42 +39,6 @@ const PREFERENCES: &str = "preferences.toml";
 
 /// How many recent files are kept.
 const MAX_RECENT: usize = 8;
-
-/// How the panel at the side stands: which of its parts are folded away.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Side {
-    /// Whether it is folded to icons; where nothing is chosen the room decides.
-    pub is_folded: Option<bool>,
-    /// Whether it shows the parameters that are asked for less often.
-    pub shows_more: bool,
-    /// Whether it shows the numbers behind the name of a substance.
-    pub shows_indices: bool,
-}
-
-/// What belongs to the person, not to a session.
-#[derive(Clone, Default, Serialize, Deserialize)]
-#[serde(default)]
-struct Preferences {
-    /// The files opened last, the latest first.
-    recent: Vec<PathBuf>,
-    /// The folder that files were saved in or opened from last.
-    folder: Option<PathBuf>,
-    /// The theme; the system's where none is chosen.
-    theme: Option<Theme>,
-    /// Whether the first steps were done or left.
-    has_seen_first_steps: bool,
-    /// How the panel at the side stands.
-    side: Side,
-    /// How large the labels of plots are.
-    labels: LabelSize,
-    /// Where the window stood.
-    window: Option<WindowPlace>,
-    /// How figures are made.
-    figure: FigureChoice,
-    /// Which questions of lessons were answered.
-    lessons: Progress,
-}
 
 /// Files of sessions and materials. Whatever is written stands complete in its place, or the file before it does.
 pub struct Store {
@@ -158,6 +124,9 @@ impl Store {
     /// Puts the session where files stand that nobody keeps, for want of a better place. Returns where.
     #[must_use]
     pub fn rescue(&self, session: &Session) -> Option<PathBuf> {
+        if !self.places.files.has_places() {
+            return None;
+        }
         let name = format!("brdf-explorer-session-{}.toml", std::process::id());
         let path = std::env::temp_dir().join(name);
         let kept = self.places.replace(&path, session);
@@ -201,6 +170,17 @@ impl Store {
     pub fn reader(&self, path: &Path) -> impl FnOnce() -> Result<Opened> + Send + 'static {
         let (places, path) = (self.places.clone(), path.to_owned());
         move || places.read(&path)
+    }
+
+    /// The lesson at `path`, or those of a folder.
+    ///
+    /// # Errors
+    /// Where it cannot be read, and where it holds no lesson.
+    pub fn lessons(&self, path: &Path) -> Result<Shelf> {
+        match self.look(path) {
+            Ok(Found::File) => Shelf::of_text(&self.places.text(path)?, path),
+            _ => Shelf::open(path),
+        }
     }
 
     /// What reads a file of data, in whichever thread.
@@ -328,6 +308,20 @@ impl Store {
         }
     }
 
+    /// The address of the page that links begin with.
+    #[must_use]
+    pub fn page(&self) -> Option<&str> {
+        self.preferences.page.as_deref()
+    }
+
+    /// Keeps the address of the page that links begin with.
+    pub fn keep_page(&mut self, page: Option<String>) {
+        if self.preferences.page != page {
+            self.preferences.page = page;
+            self.keep_preferences();
+        }
+    }
+
     fn own_file(&self, name: &str) -> Option<PathBuf> {
         self.folder.as_ref().map(|folder| folder.join(name))
     }
@@ -352,6 +346,9 @@ impl Store {
 
     /// Puts a file that was opened or saved first in the list of recent ones.
     pub fn remember(&mut self, path: &Path) {
+        if !self.places.files.has_places() {
+            return;
+        }
         // Another window may have been at work meanwhile.
         if self.folder.is_some() {
             self.preferences.recent = self.read_preferences().recent;

@@ -1,10 +1,10 @@
 //! The session that the program keeps by itself, from one run to the next.
 
-use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError};
 
+use super::files::Held;
 use super::place::{Places, backup};
 use crate::parallel::Pool;
 use crate::session::Session;
@@ -77,7 +77,7 @@ struct Place {
     /// Which window this is, counted from 1.
     number: u32,
     /// Held until the program ends, by the system itself; `None` where it knows no locks.
-    _lock: Option<File>,
+    _lock: Option<Held>,
 }
 
 /// What went wrong last.

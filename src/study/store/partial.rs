@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::Files;
+use crate::platform;
 
 /// The files that are being written.
 static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -81,7 +82,7 @@ pub fn abandon_partial(then: impl FnOnce()) {
 fn temporary_beside(target: &Path) -> io::Result<PathBuf> {
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let name = target.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
-    let (process, count) = (std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+    let (process, count) = (platform::process(), COUNT.fetch_add(1, Ordering::Relaxed));
     let mut hidden = OsString::from(".");
     hidden.push(name);
     hidden.push(format!(".{process}-{count}.partial"));

@@ -72,11 +72,8 @@ impl App {
         let format = asked.format;
         let picture = self.picture_of(asked.view, asked.title, ctx);
         let path = Some(path.to_owned());
-        self.make(
-            path,
-            move || (maker.file)(picture, format).map(Made::File),
-            ctx,
-        );
+        let make = move || async move { (maker.file)(picture, format).await.map(Made::File) };
+        self.make(path, make, ctx);
         Ok(())
     }
 
@@ -84,7 +81,7 @@ impl App {
     pub(crate) fn copy_figure(&mut self, view: ViewId, title: Title, ctx: &Context) {
         let Some(maker) = self.maker() else { return };
         let picture = self.picture_of(view, title, ctx);
-        let make = move || (maker.image)(picture).map(Made::Picture);
+        let make = move || async move { (maker.image)(picture).await.map(Made::Picture) };
         self.make(None, make, ctx);
     }
 
@@ -129,14 +126,14 @@ impl App {
         self.exports.sizes.insert(view, size);
     }
 
-    fn make(
+    fn make<F: Future<Output = Result<Made>> + 'static>(
         &mut self,
         path: Option<PathBuf>,
-        make: impl FnOnce() -> Result<Made> + Send + 'static,
+        make: impl FnOnce() -> F + Send + 'static,
         ctx: &Context,
     ) {
         let wake = ctx.clone();
-        let answer = self.pool.compute(make, move || wake.request_repaint());
+        let answer = self.pool.complete(make, move || wake.request_repaint());
         self.exports.making.push(Making { path, answer });
     }
 

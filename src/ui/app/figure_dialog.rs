@@ -104,7 +104,7 @@ impl App {
         picture.scale = (fits * ctx.pixels_per_point()).min(picture.scale);
         let wake = ctx.clone();
         let draw = move || (maker.image)(picture);
-        let answer = self.pool.compute(draw, move || wake.request_repaint());
+        let answer = self.pool.complete(draw, move || wake.request_repaint());
         dialog.drawing = Some((wanted, answer));
         ctx.request_repaint();
     }

@@ -14,9 +14,9 @@ use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::colors;
 use bxdf_study::files;
-use bxdf_study::lessons::{self, Shelf};
 use bxdf_study::session::{self, Opened, Session};
 use bxdf_study::store::{Dialogs, FileDialog, News, Store};
+use bxdf_study::{lessons, link};
 
 /// The name proposed for a new file.
 const NEW_NAME: &str = "session.toml";
@@ -62,6 +62,7 @@ impl App {
         self.labels = store.labels();
         self.learning.restore(store.progress());
         self.exports.choice = store.figure();
+        self.is_linked_from(store.page().map(str::to_owned));
         let restored = store.restore(self.session.clone());
         if restored.session != self.session {
             self.restart(restored.session);
@@ -75,6 +76,11 @@ impl App {
             maker,
             file: None,
         });
+    }
+
+    /// Says a line at the place where problems are said.
+    pub fn tell(&mut self, line: &str) {
+        self.notice.say(&line);
     }
 
     /// Whether files can be opened and saved.
@@ -152,16 +158,18 @@ impl App {
     /// Opens a file: a session in place of this one, a material beside the others, lessons beside them. What is on the screen stays where it
     /// cannot be read.
     pub fn open(&mut self, path: &Path, ctx: &Context) {
-        if lessons::is_lesson(path) {
-            if let Some(shelf) = self.notice.report(Shelf::open(path)) {
-                self.take_lessons(shelf);
-                if let Some(files) = &mut self.files {
-                    files.store.remember(path);
-                }
-            }
+        let Some(files) = &mut self.files else { return };
+        if self.session.is_missing_file(path) {
+            // What is missing comes first: it is what the drop was asked for.
+            self.session.look_in(path);
             return;
         }
-        if let Some(files) = &self.files {
+        if lessons::is_lesson(path) {
+            if let Some(shelf) = self.notice.report(files.store.lessons(path)) {
+                files.store.remember(path);
+                self.take_lessons(shelf);
+            }
+        } else {
             let read = files.store.reader(path);
             self.read_file(path.to_owned(), read, ctx);
         }
@@ -239,7 +247,10 @@ impl App {
             })
         });
         match pasted {
-            Some(Ok(text)) => self.read_pasted(text.len(), move || session::pasted(&text), ctx),
+            Some(Ok(text)) => match link::fragment_of(&text) {
+                Some(fragment) => self.open_link(fragment, ctx),
+                None => self.read_pasted(text.len(), move || session::pasted(&text), ctx),
+            },
             Some(Err(error)) => self.notice.say(&error),
             None => {}
         }

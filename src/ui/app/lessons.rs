@@ -10,6 +10,7 @@ use crate::theme::{self, Palette};
 use crate::widgets::lesson::{self, Done, Prose, Shown, Turn};
 use crate::widgets::things;
 use bxdf_study::lessons::{Lesson, Scenes, Shelf, Thing, Work};
+use bxdf_study::link;
 use bxdf_study::session::ViewId;
 use bxdf_study::store::Progress;
 
@@ -112,8 +113,10 @@ impl App {
 
     /// Copies what leads to the step at hand.
     pub fn copy_step_link(&mut self, ctx: &Context) {
-        if let Some(link) = self.step_link() {
-            ctx.copy_text(link);
+        match self.step_link() {
+            Some(named) if self.links.page.is_some() => self.give_link(link::to_step(&named), ctx),
+            Some(named) => ctx.copy_text(named),
+            None => {}
         }
     }
 

@@ -36,6 +36,7 @@ pub(super) use figure::Heading;
 use files::Files;
 use learning::Learning;
 use left::Left;
+use linking::Links;
 use looking::Looking;
 use readings::Reading;
 
@@ -52,6 +53,8 @@ mod keys;
 mod learning;
 pub(super) mod left;
 mod lessons;
+mod linking;
+mod links;
 mod looking;
 mod params;
 mod picture;
@@ -61,7 +64,7 @@ mod readings;
 mod side;
 mod views;
 
-pub use picture::{Figure, Maker, OnScreen, Picture, PutPicture, Title};
+pub use picture::{Figure, InMaking, Maker, OnScreen, Picture, PutPicture, Title};
 
 /// The application.
 pub struct App {
@@ -112,6 +115,8 @@ pub struct App {
     pub(super) first_steps: Option<FirstSteps>,
     /// The lessons.
     pub(super) learning: Learning,
+    /// Links.
+    links: Links,
     /// While the views are presented: how much the window was enlarged before.
     pub(super) zoom_before: Option<f32>,
     /// The parameter that was changed last, by its name.
@@ -181,6 +186,7 @@ impl App {
             tiles: None,
             first_steps: None,
             learning: Learning::default(),
+            links: Links::default(),
             zoom_before: None,
             lacking: 0.0,
             free: 0.0,
@@ -285,6 +291,7 @@ impl App {
     pub fn is_typed_in(&self, ctx: &Context) -> bool {
         ctx.text_edit_focused()
             || self.search.is_some()
+            || self.is_asking_page()
             || self.is_choosing_figure()
             || self.files.as_ref().is_some_and(Files::is_asking)
             || self.picker.has_focus(ctx)

@@ -1,5 +1,7 @@
 //! A picture of the application, before it is drawn, and who draws it.
 
+use std::pin::Pin;
+
 use egui::{ColorImage, Theme};
 
 use crate::theme;
@@ -84,11 +86,14 @@ impl Picture {
 /// Puts a picture into the clipboard.
 pub type PutPicture = Box<dyn FnMut(&egui::Context, ColorImage) -> Result<()>>;
 
+/// What is being made: in a browser it has to be waited for.
+pub type InMaking<T> = Pin<Box<dyn Future<Output = Result<T>>>>;
+
 /// What makes files of pictures: the application that a picture shows is made by it, and not known here.
 #[derive(Clone, Copy)]
 pub struct Maker {
     /// Makes the file of what a picture shows.
-    pub file: fn(Picture, Format) -> Result<Vec<u8>>,
+    pub file: fn(Picture, Format) -> InMaking<Vec<u8>>,
     /// Draws a picture.
-    pub image: fn(Picture) -> Result<ColorImage>,
+    pub image: fn(Picture) -> InMaking<ColorImage>,
 }

@@ -81,6 +81,33 @@ pub static COPY_SESSION: Command = command(
     App::copy_session,
 );
 
+/// Copies a link to what is on the screen.
+pub static COPY_LINK: Command = command(
+    Group::File,
+    [
+        "copy_link",
+        "Copy link",
+        "Copy everything on the screen as a link: a page in a browser shows it, and so does this window where it is pasted",
+    ],
+    &[key(CTRL_SHIFT, Key::K)],
+    App::copy_link,
+);
+
+/// Asks for the address that links begin with.
+pub static PAGE: Command = Command {
+    is_enabled: App::has_page_to_choose,
+    ..command(
+        Group::File,
+        [
+            "page",
+            "Address of the page…",
+            "Set the address that links begin with: where the page of this program is hosted",
+        ],
+        &[key(CTRL_ALT, Key::K)],
+        |app, _| app.ask_page(),
+    )
+};
+
 /// Pastes what is in the clipboard.
 pub static PASTE: Command = command(
     Group::File,

@@ -6,7 +6,8 @@ use super::command::{CTRL, CTRL_SHIFT, Command, Group, PLAIN, SHIFT, command, ke
 use super::directions::{LIGHT, VIEWER};
 use super::edits::{PIN, REDO, UNDO};
 use super::files::{
-    COPY_PICTURE, COPY_SESSION, FIGURE, NEW, OPEN, PASTE, SAVE, SAVE_AS, SAVE_WITH_DATA,
+    COPY_LINK, COPY_PICTURE, COPY_SESSION, FIGURE, NEW, OPEN, PAGE, PASTE, SAVE, SAVE_AS,
+    SAVE_WITH_DATA,
 };
 use super::learn::{COPY_STEP, LEARN, NEXT_STEP, STEP_BACK};
 use crate::app::App;
@@ -339,7 +340,7 @@ pub static HELP: Command = Command {
 };
 
 /// Every command, in the order of the menus and the help.
-pub static COMMANDS: [&Command; 39] = [
+pub static COMMANDS: [&Command; 41] = [
     &NEW,
     &OPEN,
     &SAVE,
@@ -348,6 +349,8 @@ pub static COMMANDS: [&Command; 39] = [
     &FIGURE,
     &COPY_PICTURE,
     &COPY_SESSION,
+    &COPY_LINK,
+    &PAGE,
     &PASTE,
     &UNDO,
     &REDO,

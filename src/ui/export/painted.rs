@@ -39,7 +39,7 @@ impl Painted {
     ///
     /// # Errors
     /// Where it shows a scene, and there is no graphics adapter, or it fails.
-    pub(super) fn of(picture: Picture) -> Result<Self> {
+    pub(super) async fn of(picture: Picture) -> Result<Self> {
         let scale = picture.scale;
         let mut harness = picture.clone().shapes();
         let has_scene = |clipped: &ClippedShape| matches!(clipped.shape, Shape::Callback(_));
@@ -47,7 +47,7 @@ impl Painted {
         if harness.output().shapes.iter().any(has_scene) {
             harness = picture.drawn()?;
             harness.state_mut().draw_axes_as_lines();
-            scenes = Some((scenes_of(&mut harness)?, scale));
+            scenes = Some((scenes_of(&mut harness).await?, scale));
         }
         let shapes = harness.output().shapes.clone();
         let mut textures = HashMap::new();
@@ -86,10 +86,10 @@ impl Painted {
 }
 
 /// The page with nothing on it but what the graphics processor draws.
-fn scenes_of(harness: &mut Harness<'_, App>) -> Result<ColorImage> {
+async fn scenes_of(harness: &mut Harness<'_, App>) -> Result<ColorImage> {
     harness.state_mut().paint_scenes_alone(true);
     harness.run_ok();
-    let scenes = headless::rendered(harness)?;
+    let scenes = headless::rendered(harness).await?;
     harness.state_mut().paint_scenes_alone(false);
     harness.run_ok();
     Ok(as_colors(&scenes))

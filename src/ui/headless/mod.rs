@@ -1,35 +1,38 @@
 //! Pictures of the window without a display: the same `App`, driven step by step.
 
-use eframe::egui_wgpu::{WgpuSetup, wgpu};
-use egui_kittest::wgpu::default_wgpu_setup;
 use egui_kittest::{Harness, HarnessBuilder};
-use wgpu::Backends;
 
 use super::app::App;
 pub use super::app::{Figure, OnScreen, Picture, Title};
 use bxdf::error::{Error, Result};
+#[cfg(not(target_arch = "wasm32"))]
 use bxdf_study::lessons::Lesson;
 
+#[cfg(not(target_arch = "wasm32"))]
+mod adapter;
+#[cfg(target_arch = "wasm32")]
+#[path = "adapter_of_page.rs"]
+mod adapter;
 mod controls;
 mod page;
 
+#[cfg(target_arch = "wasm32")]
+pub use adapter::draw_with;
+#[cfg(not(target_arch = "wasm32"))]
+pub use adapter::{NO_ADAPTER_REMEDY, backends_with_adapter};
 pub use controls::unknown_controls;
 
 /// The most frames a picture takes to settle: layout needs two or three.
 const MAX_FRAMES: u64 = 32;
-
-/// What helps where there is no graphics adapter.
-pub const NO_ADAPTER_REMEDY: &str =
-    "install a Vulkan driver; the software one is in the package mesa-vulkan-drivers";
 
 impl Picture {
     /// Draws the picture, as the bytes of a PNG file.
     ///
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
-    pub fn png(self) -> Result<Vec<u8>> {
+    pub(crate) async fn png(self) -> Result<Vec<u8>> {
         let page = self.figure.as_ref().and_then(|figure| figure.page);
-        let image = self.image()?;
+        let image = self.drawn_image().await?;
         let width = page.and_then(|page| page.print_width_mm);
         encoded(
             &image,
@@ -41,8 +44,14 @@ impl Picture {
     ///
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn image(self) -> Result<image::RgbaImage> {
-        rendered(&mut self.drawn()?)
+        pollster::block_on(self.drawn_image())
+    }
+
+    /// [`Self::image`], which in a browser has to be waited for.
+    pub(crate) async fn drawn_image(self) -> Result<image::RgbaImage> {
+        rendered(&mut self.drawn()?).await
     }
 
     /// Draws the window with the panel of a lesson open at the step at index `step`, which comes in place of the session, as
@@ -50,11 +59,12 @@ impl Picture {
     ///
     /// # Errors
     /// [`Error::Platform`] without a graphics adapter, or where it fails.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn png_of_lesson(self, lesson: &Lesson, step: usize) -> Result<Vec<u8>> {
         let mut harness = self.settled(|app| app.for_picture(None))?;
         harness.state_mut().open_lesson(lesson, step);
         harness.run_ok();
-        encoded(&rendered(&mut harness)?, None)
+        encoded(&pollster::block_on(rendered(&mut harness))?, None)
     }
 
     /// The running application behind the picture, settled, which can draw it: as pictures are, without what is there for a
@@ -114,11 +124,7 @@ impl Picture {
     }
 
     fn settled(self, prepare: impl FnOnce(App) -> App) -> Result<Harness<'static, App>> {
-        let mut setup = default_wgpu_setup();
-        if let WgpuSetup::CreateNew(setup) = &mut setup {
-            setup.instance_descriptor.backends = backends_with_adapter()?;
-        }
-        let builder = self.builder().wgpu_setup(setup);
+        let builder = adapter::drawing(self.builder())?;
         let mut harness =
             builder.build_eframe(|cc| prepare(App::new(cc, self.session, self.only, None)));
         harness.run_ok();
@@ -130,8 +136,10 @@ impl Picture {
 ///
 /// # Errors
 /// [`Error::Platform`] where the adapter fails.
-pub(crate) fn rendered(harness: &mut Harness<'_, App>) -> Result<image::RgbaImage> {
-    harness.render().map_err(|problem| Error::Platform {
+pub(crate) async fn rendered(harness: &mut Harness<'_, App>) -> Result<image::RgbaImage> {
+    let rendered = harness.render();
+    let read = adapter::read(rendered).await;
+    read.map_err(|problem| Error::Platform {
         problem: format!("the picture cannot be drawn: {problem}"),
         remedy: "a smaller size may do".to_owned(),
     })
@@ -163,26 +171,4 @@ pub fn encoded(image: &image::RgbaImage, density: Option<f64>) -> Result<Vec<u8>
         remedy: "a smaller size may do".to_owned(),
     })?;
     Ok(bytes)
-}
-
-/// The backends that have a graphics adapter: the modern ones if any has, so that the older ones are not even started.
-///
-/// # Errors
-/// [`Error::Platform`] where there is none, naming the remedy.
-pub fn backends_with_adapter() -> Result<Backends> {
-    let instance = |backends| {
-        wgpu::Instance::new(wgpu::InstanceDescriptor {
-            backends,
-            ..wgpu::InstanceDescriptor::new_without_display_handle()
-        })
-    };
-    let has_adapter =
-        |backends| !pollster::block_on(instance(backends).enumerate_adapters(backends)).is_empty();
-    [Backends::PRIMARY, Backends::SECONDARY]
-        .into_iter()
-        .find(|backends| has_adapter(*backends))
-        .ok_or_else(|| Error::Platform {
-            problem: "no graphics adapter is found".to_owned(),
-            remedy: NO_ADAPTER_REMEDY.to_owned(),
-        })
 }

@@ -127,7 +127,7 @@ impl Files for Failing {
         Disk.look(path)
     }
 
-    fn lock(&self, path: &Path) -> io::Result<Option<fs::File>> {
+    fn lock(&self, path: &Path) -> io::Result<Option<Held>> {
         Disk.lock(path)
     }
 }

@@ -151,5 +151,5 @@ fn figure(setter: &mut Setter, session: &Session, view: ViewId) -> Result<Painte
     let how = (Use::Column, Title::Automatic, colors::Theme::Light);
     let mut picture = Picture::of_figure(session.clone(), view, how, screen);
     picture.scale = SCENE_SCALE;
-    Painted::of(picture)
+    pollster::block_on(Painted::of(picture))
 }

@@ -1,0 +1,323 @@
+"""Uses the page in a real browser: headless Chromium, driven through ChromeDriver.
+
+scripts/test-web runs it, with the folder of the page as its first argument and the program for the desktop as its second.
+Each check says what it saw; the first that fails ends it. Numbers are printed for whoever compares them.
+"""
+
+import base64
+import http.server
+import json
+import pathlib
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import urllib.error
+import urllib.request
+import zlib
+
+# Drawing is by software: everything takes its time.
+PATIENCE = 90.0
+
+
+class Refused(Exception):
+    """A check that failed."""
+
+
+def check(condition, sentence):
+    if not condition:
+        raise Refused(sentence)
+    print(f"ok: {sentence}", flush=True)
+
+
+class Server:
+    """The folder on the loopback address, under a path of its own; what is asked for beside it is kept."""
+
+    PREFIX = "/some/where/"
+
+    def __init__(self, folder):
+        server = self
+        self.is_cut = False
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            def translate_path(self, path):
+                path = path.split("?")[0].split("#")[0]
+                return str(pathlib.Path(folder) / path.removeprefix(server.PREFIX))
+
+            def send_head(self):
+                if not self.path.startswith(server.PREFIX):
+                    self.send_error(404)
+                    return None
+                return super().send_head()
+
+            def log_message(self, *_):
+                pass
+
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        self.address = f"http://127.0.0.1:{self.server.server_port}{self.PREFIX}"
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+class Browser:
+    """A browser with one page, and a profile that is thrown away unless it is given."""
+
+    def __init__(self, size=(1280, 800), profile=None, touch=False, arguments=()):
+        self.downloads = pathlib.Path(tempfile.mkdtemp(prefix="downloads"))
+        self.own = profile is None
+        self.profile = pathlib.Path(profile or tempfile.mkdtemp(prefix="profile"))
+        self.port = free_port()
+        self.driver = subprocess.Popen(
+            ["chromedriver", f"--port={self.port}", "--log-level=SEVERE"],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        options = {
+            "args": [
+                "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
+                "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--disable-quic", "--no-first-run",
+                "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                f"--window-size={size[0]},{size[1]}", f"--user-data-dir={self.profile}", *arguments,
+            ],
+            "prefs": {"download.default_directory": str(self.downloads), "download.prompt_for_download": False},
+        }
+        wanted = {
+            "browserName": "chrome",
+            "goog:chromeOptions": options,
+            "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"},
+        }
+        self.session = None
+        for _ in range(100):
+            try:
+                made = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})
+                self.session = made["sessionId"]
+                break
+            except (ConnectionError, urllib.error.URLError):
+                time.sleep(0.1)
+        if self.session is None:
+            raise Refused("ChromeDriver does not answer")
+        width, height = size
+        self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=touch)
+        self.cdp("Emulation.setTouchEmulationEnabled", enabled=touch, maxTouchPoints=5)
+        self.cdp("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(self.downloads))
+        self.cdp("Network.enable")
+        self.logged = []
+
+    def ask(self, method, path, body=None):
+        prefix = f"/session/{self.session}" if self.session else ""
+        if path == "/session":
+            prefix = ""
+        data = None if body is None else json.dumps(body).encode()
+        request = urllib.request.Request(f"http://127.0.0.1:{self.port}{prefix}{path}", data=data, method=method)
+        request.add_header("Content-Type", "application/json")
+        try:
+            with urllib.request.urlopen(request, timeout=300) as answer:
+                return json.loads(answer.read())["value"]
+        except urllib.error.HTTPError as error:
+            problem = json.loads(error.read())["value"]
+            raise Refused(f"{path}: {problem['error']}: {problem['message'][:300]}") from error
+
+    def cdp(self, command, **parameters):
+        return self.ask("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
+
+    def js(self, script):
+        return self.ask("POST", "/execute/sync", {"script": script, "args": []})
+
+    def promise(self, script):
+        """What an asynchronous script returns."""
+        body = f"const done = arguments[0]; (async () => {{ {script} }})().then(done, (e) => done(`failed: ${{e}}`));"
+        return self.ask("POST", "/execute/async", {"script": body, "args": []})
+
+    def go(self, address):
+        self.ask("POST", "/url", {"url": address})
+
+    def wait(self, of_what, until, patience=PATIENCE):
+        """Waits until `until` returns something, and returns that."""
+        end = time.monotonic() + patience
+        while time.monotonic() < end:
+            found = until()
+            if found:
+                return found
+            time.sleep(0.1)
+        raise Refused(f"waited {patience:.0f} s for {of_what}")
+
+    def start(self, address):
+        """Goes to a page with the explorer, and waits until it runs."""
+        separator = "&" if "?" in address.split("#")[0] else "?"
+        head, mark, fragment = address.partition("#")
+        self.go(f"{head}{separator}test{mark}{fragment}")
+        # The same page with another fragment is not loaded anew.
+        begun = "return document.documentElement.dataset.state === 'started' && !!window.explorer_test"
+        self.wait("the page to start", lambda: self.js(begun))
+
+    def nodes(self):
+        return self.js("return window.explorer_test") or []
+
+    def find(self, name=None, role=None, last=False):
+        """What has this name on the screen, and this role where one is given; `None` where nothing has."""
+        found = [
+            node
+            for node in self.nodes()
+            if (name is None or re.search(name, node["name"] or node["value"] or ""))
+            and (role is None or node["role"] == role)
+        ]
+        return found[-1 if last else 0] if found else None
+
+    def seen(self, name, role=None):
+        return self.wait(f"'{name}'", lambda: self.find(name, role))
+
+    def mouse(self, kind, x, y, **more):
+        self.cdp("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+
+    def click(self, node, at=(0.5, 0.5)):
+        x, y = node["x"] + at[0] * node["width"], node["y"] + at[1] * node["height"]
+        self.mouse("mouseMoved", x, y)
+        for kind in ("mousePressed", "mouseReleased"):
+            self.mouse(kind, x, y, button="left", clickCount=1)
+        time.sleep(0.4)
+
+    def drag(self, begin, end, steps=8):
+        (x0, y0), (x1, y1) = begin, end
+        self.mouse("mouseMoved", x0, y0)
+        self.mouse("mousePressed", x0, y0, button="left", clickCount=1)
+        for step in range(1, steps + 1):
+            part = step / steps
+            self.mouse("mouseMoved", x0 + part * (x1 - x0), y0 + part * (y1 - y0), button="left", buttons=1)
+            time.sleep(0.05)
+        self.mouse("mouseReleased", x1, y1, button="left", clickCount=1)
+        time.sleep(0.5)
+
+    def touch(self, begin, end, steps=8):
+        (x0, y0), (x1, y1) = begin, end
+        self.cdp("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x0, "y": y0}])
+        for step in range(1, steps + 1):
+            part = step / steps
+            point = {"x": x0 + part * (x1 - x0), "y": y0 + part * (y1 - y0)}
+            self.cdp("Input.dispatchTouchEvent", type="touchMove", touchPoints=[point])
+            time.sleep(0.05)
+        self.cdp("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        time.sleep(0.5)
+
+    def key(self, key, modifiers=0, text=None):
+        code = f"Key{key.upper()}" if len(key) == 1 and key.isalpha() else key
+        codes = {"Enter": 13, "Tab": 9, "Escape": 27, "Backspace": 8, ".": 190, ",": 188, "-": 189}
+        number = codes.get(key, ord(key.upper()) if len(key) == 1 else 0)
+        event = {"key": key, "code": code, "modifiers": modifiers, "windowsVirtualKeyCode": number}
+        if text is not None:
+            event["text"] = text
+        self.cdp("Input.dispatchKeyEvent", type="keyDown" if text else "rawKeyDown", **event)
+        self.cdp("Input.dispatchKeyEvent", type="keyUp", **event)
+        time.sleep(0.08)
+
+    def type(self, text):
+        for letter in text:
+            self.key(letter, text=letter)
+
+    def picture(self, path):
+        path = pathlib.Path(path)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(base64.b64decode(self.cdp("Page.captureScreenshot", format="png")["data"]))
+
+    def logs(self, kind):
+        return self.ask("POST", "/se/log", {"type": kind})
+
+    def errors(self):
+        self.logged += self.logs("browser")
+        return [entry["message"] for entry in self.logged if entry["level"] == "SEVERE"]
+
+    def requests(self):
+        """The addresses that were asked for since this was called last."""
+        found = []
+        for entry in self.logs("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                found.append(message["params"]["request"]["url"])
+        return found
+
+    def end(self):
+        try:
+            self.ask("DELETE", "")
+        except (Refused, OSError):
+            pass
+        self.driver.terminate()
+        self.driver.wait()
+        if self.own:
+            shutil.rmtree(self.profile, ignore_errors=True)
+        shutil.rmtree(self.downloads, ignore_errors=True)
+
+
+def pixels(path):
+    """Width, height and the rows of red, green and blue of a PNG file of eight bits."""
+    data = pathlib.Path(path).read_bytes()
+    at, packed, head = 8, b"", None
+    while at < len(data):
+        length, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            head = body
+        elif kind == b"IDAT":
+            packed += body
+        at += 12 + length
+    width, height = (int.from_bytes(head[i:i + 4], "big") for i in (0, 4))
+    size = {2: 3, 6: 4}[head[9]]
+    raw, stride, rows = zlib.decompress(packed), width * size, []
+    before = bytes(stride)
+    for row in range(height):
+        begin = row * (stride + 1)
+        kind, line = raw[begin], bytearray(raw[begin + 1:begin + 1 + stride])
+        for i in range(stride):
+            left = line[i - size] if i >= size else 0
+            up, corner = before[i], before[i - size] if i >= size else 0
+            if kind == 1:
+                line[i] = (line[i] + left) & 255
+            elif kind == 2:
+                line[i] = (line[i] + up) & 255
+            elif kind == 3:
+                line[i] = (line[i] + (left + up) // 2) & 255
+            elif kind == 4:
+                p = left + up - corner
+                nearest = min((abs(p - left), 0, left), (abs(p - up), 1, up), (abs(p - corner), 2, corner))[2]
+                line[i] = (line[i] + nearest) & 255
+        before = bytes(line)
+        rows.append([before[i:i + 3] for i in range(0, stride, size)])
+    return width, height, rows
+
+
+def difference(one, other, block=8):
+    """The share of blocks of so many pixels a side whose mean colour differs by more than a twentieth of the range."""
+    (width, height, a), (other_width, other_height, b) = pixels(one), pixels(other)
+    if (width, height) != (other_width, other_height):
+        raise Refused(f"{one} is {width}x{height}, {other} is {other_width}x{other_height}")
+
+    def mean(rows, x, y):
+        sums = [0, 0, 0]
+        for row in rows[y:y + block]:
+            for pixel in row[x:x + block]:
+                for channel in range(3):
+                    sums[channel] += pixel[channel]
+        return [total / block**2 for total in sums]
+
+    differ = count = 0
+    for y in range(0, height - block + 1, block):
+        for x in range(0, width - block + 1, block):
+            count += 1
+            differ += any(abs(p - q) > 12.75 for p, q in zip(mean(a, x, y), mean(b, x, y)))
+    return differ / count
+
+
+def text_of(browser):
+    """All that can be read on the screen, in its order, but for times."""
+    words = [node["value"] or node["name"] for node in browser.nodes() if node["role"] in ("Label", "TextInput", "SpinButton", "Slider")]
+    return [word for word in words if word and not re.search(r" ms\b|milliseconds", word)]
+
+
+CTRL, SHIFT, ALT = 2, 8, 1
