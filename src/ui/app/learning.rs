@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::widgets::lesson::Group;
-use bxdf_study::lessons::{self, Ask, Lesson, Scenes, Work};
+use bxdf_study::history::Document;
+use bxdf_study::lessons::{self, Lesson, Scenes, Work};
 use bxdf_study::session::Session;
 use bxdf_study::store::Progress;
 
@@ -36,6 +37,8 @@ pub(super) struct At {
     pub(super) scenes: Arc<Scenes>,
     /// The state that the step begins with.
     pub(super) begun: Session,
+    /// Which session the lesson works on: none other is changed by it.
+    pub(super) document: Document,
     /// The session before what a wrong answer would look like was shown.
     pub(super) before: Option<Session>,
     /// Whether the state behind the question is to be shown, once nothing is in the hand.
@@ -52,16 +55,13 @@ impl At {
             works: vec![Work::default(); lesson.steps.len()],
             scenes: Arc::new(Scenes::of(&begun)),
             begun,
+            document: Document::default(),
             before: None,
             is_after_due: false,
             is_new: false,
             lesson,
             step,
         })
-    }
-
-    pub(super) fn ask(&self) -> Option<&Ask> {
-        self.lesson.steps.get(self.step)?.ask.as_ref()
     }
 }
 
