@@ -286,3 +286,30 @@ fn words_and_things_point_at_one_another() {
     let mut near = rings.filter(|ring| ring.contains_rect(slider));
     assert!(near.next().is_some(), "a frame about {slider}");
 }
+
+/// The half vector is drawn by nothing else: it has a mark in each of the views that show light and viewer.
+#[test]
+fn words_point_at_the_half_vector() {
+    let text = "+++\ntitle = \"T\"\n[state]\nmaterials = [\"brass\"]\nlight = 20\nviewer = 50\n\
+        views = [\"polar\", \"lobe3d\", \"hemisphere\"]\n+++\n## One\n\nHere [the half vector](#h) is shown.\n";
+    let lesson = read(text, "t", "t.md").unwrap();
+    let mut harness = window([1900, 900]);
+    harness.state_mut().open_lesson(&lesson, 0);
+    harness.run();
+    let names = |harness: &Harness<'_, App>| {
+        let shapes = harness.output().shapes.iter();
+        let texts = shapes.filter(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) => text.galley.text() == "h",
+            _ => false,
+        });
+        texts.count()
+    };
+    assert_eq!(names(&harness), 0);
+    harness.hover_at(harness.get_by_label("the half vector").rect().center());
+    harness.run();
+    assert_eq!(names(&harness), 3);
+    // Across the surface there is none.
+    harness.state_mut().session.set_other(-glam::DVec3::Z);
+    harness.run();
+    assert_eq!(names(&harness), 0);
+}

@@ -7,7 +7,7 @@ use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo};
 use glam::{DVec3, Vec3};
 
 use super::context::ViewContext;
-use super::{settings, side_by_side};
+use super::{half_vector, settings, side_by_side};
 use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
 use crate::theme::{Dash, rgba};
 use crate::widgets::labels::Labels;
@@ -145,6 +145,10 @@ fn show_scene(
         axes::draw(&ui.painter_at(rect), rect, &camera, &solids, cx.palette);
     }
     sketch.draw(cx.session, &directions, &drawing);
+    if let Some(half) = half_vector::pointed(ui, cx.session) {
+        let ends = [Vec3::ZERO, half.as_vec3()].map(|end| camera.project(end, rect));
+        half_vector::mark(ui, ends, Dash::Solid, cx.palette);
+    }
     let mut free = rect;
     if is_moved(cx) && rect.intersects(covered) {
         free.min.y = covered.bottom();
