@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::widgets::lesson::Group;
 use bxdf_study::history::Document;
-use bxdf_study::lessons::{self, Lesson, Scenes, Work};
+use bxdf_study::lessons::{self, Ask, Lesson, Scenes, Work};
 use bxdf_study::session::Session;
 use bxdf_study::store::Progress;
 
@@ -62,6 +62,13 @@ impl At {
             lesson,
             step,
         })
+    }
+
+    /// The question of the step, before it is answered.
+    pub(super) fn open(&self) -> Option<&Ask> {
+        let ask = self.lesson.steps.get(self.step)?.ask.as_ref();
+        let is_answered = self.works.get(self.step).is_some_and(Work::is_revealed);
+        ask.filter(|_| !is_answered)
     }
 }
 

@@ -9,7 +9,7 @@ use super::learning::{At, begun};
 use crate::theme::{self, Palette};
 use crate::widgets::lesson::{self, Done, Prose, Shown, Turn};
 use crate::widgets::things;
-use bxdf_study::lessons::{Lesson, Scenes, Shelf, Thing, Work};
+use bxdf_study::lessons::{Cover, Lesson, Scenes, Shelf, Thing, Work};
 use bxdf_study::session::{Session, ViewId};
 use bxdf_study::store::Progress;
 
@@ -325,6 +325,13 @@ impl App {
         if let Some(before) = at.before.take() {
             self.change_for(at, |session| *session = before);
         }
+    }
+
+    /// What the question at hand keeps covered: nothing once it is answered, or while it is not to be seen.
+    pub(crate) fn covers(&self) -> Vec<Cover> {
+        let at = self.learning.at.as_ref();
+        let asked = at.filter(|_| self.learning.is_shown).and_then(At::open);
+        asked.map_or_else(Vec::new, |ask| ask.covers.clone())
     }
 
     /// Marks a view that words of a lesson point at.
