@@ -264,7 +264,8 @@ impl App {
     fn point(&mut self, ctx: &Context, before: Option<Cursor>) {
         self.cursor = self.pointed.take();
         let now = ctx.input(|input| input.time);
-        self.left = Left::next(self.left, (self.cursor, before), now);
+        let left = Left::next(self.left, (self.cursor, before), now);
+        self.left = left.filter(|_| !theme::has_reduced_motion(ctx));
         if self.cursor != before || self.left.is_some() {
             ctx.request_repaint();
         }

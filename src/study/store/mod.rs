@@ -18,6 +18,7 @@ use place::Places;
 mod dialogs;
 mod files;
 mod labels;
+mod motion;
 mod own;
 mod partial;
 mod place;
@@ -66,6 +67,8 @@ struct Preferences {
     side: Side,
     /// How large the labels of plots are.
     labels: LabelSize,
+    /// Whether nothing moves or fades by itself.
+    has_reduced_motion: bool,
     /// Where the window stood.
     window: Option<WindowPlace>,
     /// How figures are made.

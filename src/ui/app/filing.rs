@@ -11,6 +11,7 @@ use super::App;
 use super::files::{Asking, Files};
 use super::picture::Maker;
 use crate::screens;
+use crate::theme;
 use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::colors;
@@ -62,6 +63,7 @@ impl App {
         }
         self.side = store.side();
         self.labels = store.labels();
+        theme::reduce_motion(ctx, store.has_reduced_motion());
         self.learning.restore(store.progress());
         self.exports.choice = store.figure();
         let restored = store.restore(self.session.clone());
@@ -273,7 +275,7 @@ impl App {
         }
     }
 
-    /// Keeps the theme, the labels, the panel at the side and the place of the window for the next run, and the session a moment after it has changed.
+    /// Keeps the theme, the labels, whether anything moves, the panel at the side and the place of the window for the next run, and the session a moment after it has changed.
     pub(crate) fn keep(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
         files
@@ -285,6 +287,8 @@ impl App {
             });
         files.store.keep_side(self.side);
         files.store.keep_labels(self.labels);
+        let is_reduced = theme::has_reduced_motion(ctx);
+        files.store.keep_reduced_motion(is_reduced);
         files.store.keep_progress(self.learning.progress());
         let is_presenting = self.zoom_before.is_some();
         let window = screens::place(ctx, files.store.window());
