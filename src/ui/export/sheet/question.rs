@@ -154,6 +154,15 @@ pub(super) fn show(
     });
 }
 
+/// Writes what helps with a question.
+pub(super) fn show_hints(ui: &mut Ui, number: usize, ask: &Ask, prose: &mut Prose<'_>) {
+    let title = format!("Question {number}");
+    ui.label(RichText::new(title).size(prose.size).strong());
+    for hint in &ask.hints {
+        prose.line(ui, hint);
+    }
+}
+
 /// The choices, each with a box; `right`: the index of the one that is ticked.
 fn choices(ui: &mut Ui, choices: &[Choice], right: Option<usize>, prose: &mut Prose<'_>) {
     for (index, choice) in choices.iter().enumerate() {
