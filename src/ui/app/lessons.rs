@@ -327,10 +327,11 @@ impl App {
         }
     }
 
-    /// What the question at hand keeps covered: nothing once it is answered, or while it is not to be seen.
+    /// What the question at hand keeps covered of the session that it is about: nothing once it is answered, or while it is not to be seen.
     pub(crate) fn covers(&self) -> Vec<Cover> {
         let at = self.learning.at.as_ref();
-        let asked = at.filter(|_| self.learning.is_shown).and_then(At::open);
+        let is_about = |at: &&At| self.learning.is_shown && at.document == self.history.document();
+        let asked = at.filter(is_about).and_then(At::open);
         asked.map_or_else(Vec::new, |ask| ask.covers.clone())
     }
 
