@@ -33,6 +33,9 @@ fn asking() -> Lesson {
     read_lesson(text, "t", "t.md").unwrap()
 }
 
+/// A way to put a session in place of another, with its name.
+type Replace<'a> = (&'a str, &'a dyn Fn(&mut Harness<'static, App>));
+
 /// Nothing that comes in place of a session is written over its file, and undo brings session and file back.
 #[test]
 fn what_comes_in_place_of_a_session_is_not_its_file() {
@@ -40,14 +43,13 @@ fn what_comes_in_place_of_a_session_is_not_its_file() {
     let (mut harness, path, script) = saved(&folder);
     let mine = harness.state().session.clone();
     let pasted = Event::Paste(session(&["chalk", "ward"]).to_toml().unwrap());
-    type Replace<'a> = (&'a str, &'a dyn Fn(&mut Harness<'static, App>));
     let ways: [Replace<'_>; 4] = [
         ("new", &|harness| press(harness, Modifiers::COMMAND, Key::N)),
         ("lesson", &|harness| {
             harness.state_mut().open_lesson(&lessons()[3], 1);
         }),
         ("step", &|harness| {
-            press(harness, Modifiers::NONE, Key::PageDown)
+            press(harness, Modifiers::NONE, Key::PageDown);
         }),
         ("paste", &|harness| harness.event(pasted.clone())),
     ];

@@ -106,6 +106,9 @@ pub(super) struct Columns {
     items: Vec<(Place, Item)>,
 }
 
+/// By how much the room between items is smaller, the first where none needs fewer pages.
+const SQUEEZES: [f32; 3] = [1.0, 0.7, 0.4];
+
 /// How often the height of the last page is halved in search of the least one that holds what is on it.
 const HALVINGS: usize = 12;
 
@@ -117,11 +120,16 @@ impl Columns {
             0..COLUMNS => MARGIN + head.size.y,
             _ => MARGIN,
         };
-        let mut places = flow(&items, top, |_| bottom);
         let page_of = |places: &[(Place, usize)]| {
             let last = places.iter().map(|((column, _), _)| column / COLUMNS).max();
             last.unwrap_or(0)
         };
+        // A page more is worth less than the room between items.
+        let squeezed = SQUEEZES.map(|squeeze| (squeeze, flow(&items, squeeze, top, |_| bottom)));
+        let fewest = squeezed
+            .into_iter()
+            .min_by_key(|(_, places)| page_of(places));
+        let (squeeze, mut places) = fewest.unwrap_or_default();
         let page = page_of(&places);
         let (mut low, mut high) = (top(page * COLUMNS), bottom);
         for _ in 0..HALVINGS {
@@ -133,7 +141,7 @@ impl Columns {
                     middle
                 }
             };
-            let found = flow(&items, top, lower);
+            let found = flow(&items, squeeze, top, lower);
             let fits = |((column, y), index): &(Place, usize)| {
                 let height = items.get(*index).map_or(0.0, Item::height);
                 y + height <= lower(*column) || *column / COLUMNS < page
@@ -186,10 +194,11 @@ impl Columns {
     }
 }
 
-/// Where the items go, with their indices, in columns from `top` to `bottom`. A figure for which a column has no room is the first in the
+/// Where the items go, with their indices and `squeeze` times their room above, in columns from `top` to `bottom`. A figure for which a column has no room is the first in the
 /// next one, and the text of its step goes on before it.
 fn flow(
     items: &[Item],
+    squeeze: f32,
     top: impl Fn(usize) -> f32,
     bottom: impl Fn(usize) -> f32,
 ) -> Vec<(Place, usize)> {
@@ -213,11 +222,11 @@ fn flow(
         };
         let gap = match (at_top, after_bound) {
             (true, _) => 0.0,
-            (false, true) => GAP,
-            (false, false) => item.above,
+            (false, true) => squeeze * GAP,
+            (false, false) => squeeze * item.above,
         };
         let bound = match items.get(index + 1) {
-            Some(next) if item.is_bound && !next.floats => GAP + next.height(),
+            Some(next) if item.is_bound && !next.floats => squeeze * GAP + next.height(),
             _ => 0.0,
         };
         let is_full = !at_top && y + gap + item.height() + bound > bottom(column);
@@ -323,5 +332,15 @@ mod tests {
             (1, high - 400.0),
         ];
         assert_eq!(places(&columns), expected);
+    }
+
+    #[test]
+    fn no_page_is_begun_for_what_has_room_where_gaps_are_smaller() {
+        let high = PAPER.size_mm.y * PAPER.points_per_mm - 2.0 * MARGIN;
+        let part = (high - 5.0 * APART - 4.0) / 6.0;
+        // Two columns of six parts with all the room between them, which leave nothing for one more line.
+        let parts = (0..12).map(|_| Item::apart(piece(part)));
+        let items = parts.chain([Item::apart(piece(10.0))]).collect();
+        assert_eq!(Columns::filled(&piece(0.0), items).pages(), 1);
     }
 }
