@@ -62,7 +62,7 @@ impl Query for Accuracy {
 
     const BASIS: Basis = Basis::Material;
 
-    const PACE: Pace = Pace::Long;
+    const PACE: Pace = Pace::Short;
 
     fn answer(&self, of: &Subject<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<Report> {
         self.answer_in_parts(of, detail, is_wanted, &|_, _| {})

@@ -5,7 +5,7 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 use super::super::context::ViewContext;
 use super::plot;
 use crate::widgets::{draw, still};
-use bxdf_lab::tradeoff::{Accuracy, FamilyReport, Point};
+use bxdf_lab::tradeoff::{FamilyReport, Point};
 use bxdf_study::views::tradeoff::{Options, accuracy};
 
 /// What there is to be done.
@@ -18,12 +18,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     }
     let query = accuracy(cx.session);
     let selected = cx.session.materials.selected();
-    if !cx.answers.is_ordered(selected, &query) && !ui.ctx().egui_is_using_pointer() {
-        cx.answers.order(selected, query);
-    }
-    let found = cx.answers.ordered::<Accuracy>();
-    let report = found.and_then(|found| found.answer);
-    let report = report.filter(|report| report.material == *cx.session.material());
+    let report = cx.answers.of_material(selected, query);
     let families = report.iter().flat_map(|report| &report.families);
     let wanted = |family: &&FamilyReport| cx.options.wants(family.id) && !family.points.is_empty();
     let families: Vec<&FamilyReport> = families.filter(wanted).collect();
