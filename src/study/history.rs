@@ -11,6 +11,10 @@ mod edit;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Control(pub u64);
 
+/// Which of the sessions that were on the screen a state is one of: what is opened or begun in place of a session is another.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Document(u64);
+
 /// How many steps can be undone. A session takes some ten kilobytes.
 const STEPS: usize = 500;
 
@@ -20,6 +24,12 @@ pub struct History {
     past: VecDeque<Step>,
     present: Session,
     future: Vec<Step>,
+    /// Which session the present state is one of.
+    document: Document,
+    /// Which one that of the next record is, where another has come.
+    coming: Option<Document>,
+    /// The last of them.
+    last: Document,
     /// The control whose drag made the last step.
     control: Option<Control>,
 }
@@ -28,6 +38,8 @@ pub struct History {
 struct Step {
     /// The state that it leads to.
     state: Session,
+    /// Which session that is one of.
+    document: Document,
     /// What it changes.
     edit: Edit,
     /// Whether the camera is part of it; else it stays where it is.
@@ -42,6 +54,9 @@ impl History {
             past: VecDeque::new(),
             present: session.clone(),
             future: Vec::new(),
+            document: Document::default(),
+            coming: None,
+            last: Document::default(),
             control: None,
         }
     }
@@ -49,25 +64,50 @@ impl History {
     /// Takes note of what a frame has made of the session. `control`: what is being dragged; all drags of one control in
     /// a row are one step.
     pub fn record(&mut self, session: &Session, control: Option<Control>) {
+        let before = self.document;
+        self.document = self.document();
+        self.coming = None;
         if *session == self.present {
             return;
         }
         let has_edits = is_edited(&self.present, session);
         let is_look = !has_edits && session.camera != self.present.camera;
         if has_edits || is_look && self.future.is_empty() {
-            let is_continued = control.is_some() && control == self.control;
+            let is_same = before == self.document;
+            let is_continued = control.is_some() && control == self.control && is_same;
             if !is_continued {
                 if self.past.len() == STEPS {
                     self.past.pop_front();
                 }
-                self.past.push_back(Step::between(&self.present, session));
+                self.past
+                    .push_back(Step::between(&self.present, before, session));
             } else if let Some(step) = self.past.pop_back() {
-                self.past.push_back(Step::between(&step.state, session));
+                self.past
+                    .push_back(Step::between(&step.state, step.document, session));
             }
             self.future.clear();
             self.control = control;
         }
         self.present.clone_from(session);
+    }
+
+    /// Which session is on the screen. Undo and redo bring that of their state back.
+    #[must_use]
+    pub fn document(&self) -> Document {
+        self.coming.unwrap_or(self.document)
+    }
+
+    /// Takes note that another session comes in place of this one, and returns which.
+    pub fn replace(&mut self) -> Document {
+        self.last = Document(self.last.0 + 1);
+        self.coming = Some(self.last);
+        self.last
+    }
+
+    /// Takes the session back to the state at the end of the last frame.
+    pub fn refuse(&mut self, session: &mut Session) {
+        session.clone_from(&self.present);
+        self.coming = None;
     }
 
     /// Changes every state alike: for what is no edit, as data that has come meanwhile.
@@ -115,6 +155,7 @@ impl History {
     fn go(&mut self, step: Step, session: &mut Session) -> Step {
         let Step {
             mut state,
+            document,
             edit,
             moves_camera,
         } = step;
@@ -122,10 +163,12 @@ impl History {
             state.camera = session.camera.clone();
         }
         self.control = None;
+        self.coming = None;
         let left = std::mem::replace(&mut self.present, state);
         session.clone_from(&self.present);
         Step {
             state: left,
+            document: std::mem::replace(&mut self.document, document),
             edit,
             moves_camera,
         }
@@ -133,10 +176,11 @@ impl History {
 }
 
 impl Step {
-    /// The step back to `before`, from `after`.
-    fn between(before: &Session, after: &Session) -> Self {
+    /// The step back to `before`, a state of `document`, from `after`.
+    fn between(before: &Session, document: Document, after: &Session) -> Self {
         Self {
             state: before.clone(),
+            document,
             edit: Edit::between(before, after),
             moves_camera: before.camera != after.camera,
         }
@@ -184,6 +228,36 @@ mod tests {
             history.redone().is_none(),
             "a new edit leaves nothing to redo"
         );
+    }
+
+    #[test]
+    fn a_session_in_place_of_another_is_another_document() {
+        let (mut session, mut history) = edited(&[10.0], None);
+        let first = history.document();
+        let second = history.replace();
+        session.theta_deg = 20.0;
+        assert_eq!(history.document(), second, "before it is recorded too");
+        history.record(&session, None);
+        session.theta_deg = 30.0;
+        history.record(&session, None);
+        let mut seen = Vec::new();
+        for _ in 0..3 {
+            seen.push((session.theta_deg, history.document()));
+            history.undo(&mut session);
+        }
+        assert_eq!(seen, [(30.0, second), (20.0, second), (10.0, first)]);
+        history.redo(&mut session);
+        history.redo(&mut session);
+        assert_eq!((session.theta_deg, history.document()), (20.0, second));
+        // What is refused has not come; what is the same in all has.
+        session.theta_deg = 70.0;
+        let third = history.replace();
+        history.refuse(&mut session);
+        assert_eq!((session.theta_deg, history.document()), (20.0, second));
+        let fourth = history.replace();
+        history.record(&session, None);
+        assert_eq!(history.document(), fourth);
+        assert!(third != fourth && history.redone().is_some());
     }
 
     #[test]

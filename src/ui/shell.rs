@@ -15,8 +15,9 @@ use super::views::{self, ViewContext, heading};
 use super::widgets::bottom::{Bar, presented};
 use super::widgets::search::Outcome;
 use super::widgets::shares::Energy;
-use super::widgets::{at_right, focus, layouts, menus, options, spotlight, still};
+use super::widgets::{at_right, covered, focus, layouts, menus, options, spotlight, still};
 use bxdf_study::cursor::Cursor;
+use bxdf_study::lessons::Cover;
 use bxdf_study::session::{SHARES, ViewId};
 use bxdf_study::views::Options;
 
@@ -264,7 +265,8 @@ impl App {
     fn point(&mut self, ctx: &Context, before: Option<Cursor>) {
         self.cursor = self.pointed.take();
         let now = ctx.input(|input| input.time);
-        self.left = Left::next(self.left, (self.cursor, before), now);
+        let left = Left::next(self.left, (self.cursor, before), now);
+        self.left = left.filter(|_| !theme::has_reduced_motion(ctx));
         if self.cursor != before || self.left.is_some() {
             ctx.request_repaint();
         }
@@ -283,13 +285,18 @@ impl App {
                     return;
                 }
                 let selected = self.session.materials.selected();
-                let shares = self.answers.ask(&self.session, selected, SHARES);
+                let energy = if covered::is_covered(ui.ctx(), Cover::Shares) {
+                    Energy::covered(palette)
+                } else {
+                    let shares = self.answers.ask(&self.session, selected, SHARES);
+                    Energy::of(self.session.held(), shares.as_deref(), palette)
+                };
                 // Panels are drawn before the views: the line shows the pointer of the frame before.
                 let read = before.unwrap_or_else(|| Cursor::at_other(&self.session));
                 let value = read.value(&self.session, &mut self.answers);
                 let bar = Bar {
                     cursor: Some((&read, value)),
-                    energy: Energy::of(self.session.held(), shares.as_deref(), palette),
+                    energy,
                     progress: self.answers.progress(),
                 };
                 bar.show(ui, &mut self.session);
@@ -348,6 +355,7 @@ impl eframe::App for App {
         self.take_what_comes(ui.ctx());
         self.fetch_data(ui.ctx());
         self.present(ui.ctx());
+        covered::cover(ui.ctx(), self.covers());
         if !self.is_presenting() {
             Panel::top("top").show(ui, |ui| self.show_top(ui));
         }

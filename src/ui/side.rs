@@ -7,8 +7,9 @@ use super::commands;
 use super::theme::{self, Palette};
 use super::widgets::chevron::{self, Points};
 use super::widgets::params::Ties;
-use super::widgets::{at_right, badges, components};
+use super::widgets::{at_right, badges, components, covered};
 use bxdf_study::cursor::Cursor;
+use bxdf_study::lessons::Cover;
 use bxdf_study::session::Session;
 
 impl App {
@@ -76,8 +77,13 @@ impl App {
             let title = self.session.materials.title(&before);
             let material = &mut edited.material;
             ui.push_id(before.id(), |ui| {
+                let has_parameters = !covered::is_covered(ui.ctx(), Cover::Parameters);
                 ui.scope(|ui| {
                     ui.set_max_width(width);
+                    if !has_parameters {
+                        covered::stand_in(ui, "Kind and parameters");
+                        return;
+                    }
                     components::describe(ui, material, |ui| {
                         is_changing = commands::CHANGE.button(ui, self);
                     });
@@ -85,6 +91,9 @@ impl App {
                 let clicked =
                     badges::show(ui, &title, &before, material, &mut self.answers, palette);
                 wished = clicked.or(wished.take());
+                if !has_parameters {
+                    return;
+                }
                 ui.scope(|ui| {
                     ui.set_max_width(width);
                     let Session {

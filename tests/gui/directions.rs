@@ -9,8 +9,9 @@ use egui::{Key, Modifiers, Role, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
+use super::files::work_in;
 use super::interaction::drag_label;
-use super::{picture, session, window};
+use super::{Folder, picture, session, window};
 
 #[test]
 fn light_and_viewer_are_dragged_and_exchange_what_is_fixed() {
@@ -205,5 +206,35 @@ fn tooltips_stand_away_from_handles_and_go_when_something_is_taken() {
         harness.drop_at(rect.center() + vec2(2.0, 0.0));
         harness.hover_at(egui::pos2(640.0, 12.0));
         harness.run();
+    }
+}
+
+/// Who reduces motion sees no mark fade and no camera glide, and so it is at the next start.
+#[test]
+fn nothing_moves_by_itself_where_motion_is_reduced() {
+    let folder = Folder::new("motion");
+    let mut harness = window("gold");
+    work_in(&mut harness, &folder);
+    for name in ["Theme", "Reduce motion"] {
+        harness.get_by_label(name).click();
+        harness.run();
+    }
+    let mut next = window("gold");
+    work_in(&mut next, &folder);
+    next.run();
+    for mut harness in [harness, next] {
+        harness.key_press(Key::Escape);
+        harness.run();
+        let at = harness
+            .get_by_label("Light in the polar plot")
+            .rect()
+            .center();
+        harness.hover_at(at + vec2(60.0, 60.0));
+        harness.run();
+        assert!(!crosses(&harness).is_empty());
+        harness.hover_at(egui::pos2(640.0, 12.0));
+        harness.step();
+        harness.step();
+        assert!(crosses(&harness).is_empty(), "a mark fades");
     }
 }

@@ -311,3 +311,66 @@ fn page_down_leads_through_every_lesson() {
         }
     }
 }
+
+/// The half vector is drawn by nothing else: it has a mark in each of the views that show light and viewer.
+#[test]
+fn words_point_at_the_half_vector() {
+    let text = "+++\ntitle = \"T\"\n[state]\nmaterials = [\"brass\"]\nlight = 20\nviewer = 50\n\
+        views = [\"polar\", \"lobe3d\", \"hemisphere\"]\n+++\n## One\n\nHere [the half vector](#h) is shown.\n";
+    let lesson = read(text, "t", "t.md").unwrap();
+    let mut harness = window([1900, 900]);
+    harness.state_mut().open_lesson(&lesson, 0);
+    harness.run();
+    let names = |harness: &Harness<'_, App>| {
+        let shapes = harness.output().shapes.iter();
+        let texts = shapes.filter(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) => text.galley.text() == "h",
+            _ => false,
+        });
+        texts.count()
+    };
+    assert_eq!(names(&harness), 0);
+    harness.hover_at(harness.get_by_label("the half vector").rect().center());
+    harness.run();
+    assert_eq!(names(&harness), 3);
+    // Across the surface there is none.
+    harness.state_mut().session.set_other(-glam::DVec3::Z);
+    harness.run();
+    assert_eq!(names(&harness), 0);
+}
+
+/// What would say the answer comes with it.
+#[test]
+fn what_a_question_asks_for_is_covered_until_it_is_answered() {
+    let covered = "shown with the answer";
+    let mut harness = window([1900, 900]);
+    let reflectance = lessons().iter().find(|one| one.id == "09-reflectance");
+    let last = reflectance.unwrap().steps.len() - 1;
+    harness.state_mut().open_lesson(reflectance.unwrap(), last);
+    harness.run();
+    let seen =
+        |harness: &Harness<'_, App>, text: &str| harness.query_all_by_label_contains(text).count();
+    // In the bar, and below the name.
+    assert_eq!(seen(&harness, covered), 2);
+    assert_eq!(seen(&harness, "Energy of"), 0);
+    assert_eq!(
+        seen(&harness, "| absorbed") + seen(&harness, "| created"),
+        0
+    );
+    harness.get_by_label_contains("C: More than all").click();
+    harness.run();
+    assert_eq!(seen(&harness, covered), 0);
+    assert!(seen(&harness, "Energy of") > 0 && seen(&harness, "| created") > 0);
+    // Without the panel there is no question.
+    let text = "+++\ntitle = \"T\"\n+++\n## One\n\n```ask\nquestion = \"Q\"\nnumber = \"1\"\ntolerance = 0.1\n\
+        covers = [\"parameters\", \"turning\"]\n```\n";
+    let lesson = read(text, "t", "t.md").unwrap();
+    harness.state_mut().open_lesson(&lesson, 0);
+    harness.run();
+    assert_eq!(seen(&harness, covered), 1);
+    assert_eq!(seen(&harness, "turning it changes nothing"), 0);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::L);
+    harness.run();
+    assert_eq!(seen(&harness, covered), 0);
+    assert!(seen(&harness, "turning it changes nothing") > 0);
+}

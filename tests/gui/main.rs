@@ -13,6 +13,7 @@ mod commands;
 mod data;
 mod deltas;
 mod directions;
+mod documents;
 mod drawing;
 mod export;
 mod figure_pages;

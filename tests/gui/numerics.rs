@@ -228,3 +228,15 @@ fn the_forms_under_a_coat_say_what_they_break() {
         assert!(found, "{part}");
     }
 }
+
+/// Errors need no clock: they are there before anything is measured.
+#[test]
+fn how_far_choices_are_off_is_seen_before_anything_is_measured() {
+    let mut harness = alone(session(&["titanium"]), "tradeoff");
+    harness.run();
+    let seen =
+        |harness: &Harness<'_, App>, text: &str| harness.query_all_by_label_contains(text).count();
+    assert!(seen(&harness, "Press Measure") == 1 && seen(&harness, "Schlick") > 0);
+    assert!(seen(&harness, "error 0 (exact)") > 0);
+    assert_eq!(seen(&harness, " ns"), 0, "a time");
+}

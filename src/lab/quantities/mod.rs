@@ -26,12 +26,13 @@ mod rho_hh;
 mod scene;
 mod share;
 mod theta_m;
+mod variance;
 
 pub use quantity::{Argument, Given, Quantity, Takes, Value};
 pub use scene::Scene;
 
 /// The one list of quantities, in the order in which they are documented: each is one constant of one file.
-pub static QUANTITIES: [Quantity; 24] = [
+pub static QUANTITIES: [Quantity; 26] = [
     f::QUANTITY,
     pi_f::QUANTITY,
     f_cos::QUANTITY,
@@ -51,7 +52,9 @@ pub static QUANTITIES: [Quantity; 24] = [
     theta_m::QUANTITY,
     theta_m::MODE,
     theta_m::MEAN,
+    theta_m::DENSITY,
     lost_samples::QUANTITY,
+    variance::QUANTITY,
     jacobian::QUANTITY,
     deviation::QUANTITY,
     error_of::QUANTITY,

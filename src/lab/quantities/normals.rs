@@ -71,7 +71,7 @@ impl<'a> Normals<'a> {
     }
 
     /// The density of the angle, D cos sin 2 pi, in 1/radian.
-    fn density(&self, theta: f64) -> f64 {
+    pub(super) fn density(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         TAU * self.d(theta) * cos.max(0.0) * sin
     }

@@ -115,6 +115,20 @@ impl Scene {
         Self { viewer, ..self }
     }
 
+    /// The scene with the light at this azimuth from s, in degrees, as far from n as it was.
+    #[must_use]
+    pub fn with_light_azimuth(self, phi_deg: f64) -> Self {
+        let light = turned_to(self.light, phi_deg);
+        Self { light, ..self }
+    }
+
+    /// The scene with the viewer at this azimuth from s, in degrees, as far from n as it was.
+    #[must_use]
+    pub fn with_viewer_azimuth(self, phi_deg: f64) -> Self {
+        let viewer = turned_to(self.viewer, phi_deg);
+        Self { viewer, ..self }
+    }
+
     /// The scene with a parameter of its material at the value that this text says, in every component that has it.
     ///
     /// # Errors
@@ -152,6 +166,11 @@ pub(super) fn unknown_parameter(material: &Material, name: &str) -> String {
     let names = material.components().iter();
     let names = names.flat_map(|component| component.params().iter().map(|(spec, _)| spec.name));
     Error::unknown("parameter", name, names).to_string()
+}
+
+/// The direction as far from n in this azimuth.
+fn turned_to(w: DVec3, phi_deg: f64) -> DVec3 {
+    frame::direction_from_degrees(frame::theta(w).to_degrees(), phi_deg)
 }
 
 /// The direction in the same azimuth at this angle from n; in the azimuth `else_deg` where it has none.

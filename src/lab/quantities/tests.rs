@@ -174,6 +174,33 @@ fn inverse_distributions_are_the_closed_ones() {
     }
 }
 
+/// In closed form: the density of theta_m of GGX is 2 alpha² tan sec² / (alpha² + tan²)² per radian.
+#[test]
+fn the_density_of_the_angle_is_the_closed_one() {
+    let alpha = 0.3_f64;
+    let ggx = scene(&format!("{WHITE}{alpha}"), 0.0, 0.0);
+    for theta in [1.0_f64, 10.2, 60.0] {
+        let (tan, cos) = (theta.to_radians().tan(), theta.to_radians().cos());
+        let per_radian = 2.0 * alpha * alpha * tan / (cos * (alpha * alpha + tan * tan)).powi(2);
+        let found = value(&ggx, "theta_m_density", &[&theta.to_string()]);
+        near(found, per_radian.to_radians(), 1e-9);
+    }
+}
+
+/// Of a Lambertian surface all samples by the cosine weigh the same, and those drawn evenly weigh 2 rho cos: their mean square is
+/// 4 rho² / 3.
+#[test]
+fn variances_are_those_of_the_textbook() {
+    let card = scene("lambertian_reflection:reflectance=.6", 30.0, 40.0);
+    near(value(&card, "variance", &["uniform"]), 0.36 / 3.0, 0.05);
+    for exact in ["cosine", "importance"] {
+        assert!(value(&card, "variance", &[exact]) < 1e-20);
+    }
+    let narrow = scene(&format!("{WHITE}.1"), 30.0, 30.0);
+    let [by_cosine, by_lobe] = ["cosine", "importance"].map(|by| value(&narrow, "variance", &[by]));
+    assert!(by_cosine > 100.0 * by_lobe && by_lobe > 0.0);
+}
+
 /// What is drawn and lost, counted by the model's own sampler, which draws visible normals.
 #[test]
 fn lost_samples_are_those_of_the_sampler() {

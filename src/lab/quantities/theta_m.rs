@@ -33,3 +33,17 @@ pub(super) const MEAN: Quantity = Quantity {
     arguments: &[],
     value: |scene, _| Ok(Normals::of(scene)?.mean(&|theta| theta).to_degrees()),
 };
+
+pub(super) const DENSITY: Quantity = Quantity {
+    id: "theta_m_density",
+    symbol: "p(θ_m)",
+    unit: "1/degree",
+    meaning: "The density of the angle between microfacet normal and n at the angle theta: which share of the normals, as D cos has it, \
+        lies within a degree there",
+    arguments: &[Argument::number("theta", [0.0, 90.0])],
+    value: |scene, given| {
+        let theta = number(given, 0).unwrap_or_default().to_radians();
+        // Per degree is by so much less than per radian.
+        Ok(Normals::of(scene)?.density(theta).to_radians())
+    },
+};

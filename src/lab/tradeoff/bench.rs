@@ -26,6 +26,11 @@ pub trait Family: Sync {
         false
     }
 
+    /// Whether the errors of its choices are found in a moment: nothing has to be baked or drawn at random for them.
+    fn has_quick_errors(&self) -> bool {
+        false
+    }
+
     /// How long it takes to measure, in any unit common to all: for the progress.
     fn share(&self) -> f64;
 

@@ -26,7 +26,7 @@ pub use bench::{Bench, Family, measure};
 pub use errors::{Errors, Pair, colour_difference};
 pub use probe::LIGHT;
 pub use report::{CostUnit, FamilyReport, Point, Question, Report, Slopes};
-pub use request::Request;
+pub use request::{Accuracy, Request};
 pub use study::{DIRECTION_DEG, Stop, Study};
 pub use verdict::{Verdict, verdict};
 

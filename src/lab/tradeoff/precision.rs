@@ -33,6 +33,10 @@ impl Family for Precisions {
         true
     }
 
+    fn has_quick_errors(&self) -> bool {
+        true
+    }
+
     fn share(&self) -> f64 {
         1.0
     }

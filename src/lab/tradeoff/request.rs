@@ -48,3 +48,40 @@ impl Query for Request {
         })
     }
 }
+
+/// How far choices are off, which no clock is needed for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Accuracy {
+    /// The direction of view of the estimates, from the surface: a unit vector.
+    pub held: DVec3,
+    /// The ids of the families.
+    pub families: Vec<&'static str>,
+}
+
+impl Query for Accuracy {
+    /// The costs in it are none.
+    type Answer = Report;
+
+    const BASIS: Basis = Basis::Material;
+
+    const PACE: Pace = Pace::Short;
+
+    fn answer(&self, of: &Subject<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<Report> {
+        self.answer_in_parts(of, detail, is_wanted, &|_, _| {})
+    }
+
+    fn answer_in_parts(
+        &self,
+        of: &Subject<'_>,
+        detail: Detail,
+        is_wanted: IsWanted<'_>,
+        tell: Tell<'_, Report>,
+    ) -> Option<Report> {
+        let request = Request {
+            held: self.held,
+            families: self.families.clone(),
+            stopwatch: Stopwatch::NoClock,
+        };
+        request.answer_in_parts(of, detail, is_wanted, tell)
+    }
+}

@@ -36,6 +36,10 @@ impl Family for StandIns {
         true
     }
 
+    fn has_quick_errors(&self) -> bool {
+        true
+    }
+
     fn share(&self) -> f64 {
         1.0
     }

@@ -17,6 +17,22 @@ pub struct Ask {
     pub kind: Kind,
     /// What helps before the answer, one by one.
     pub hints: Vec<Vec<Span>>,
+    /// What of the window says the answer, and is not shown before.
+    pub covers: Vec<Cover>,
+}
+
+/// What the window says of a material beside its views, and a question may ask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Cover {
+    /// `shares`: where its light goes, in the bar at the bottom.
+    Shares,
+    /// `laws`: which laws it keeps, under its name and in the list.
+    Laws,
+    /// `parameters`: of what kind it is, and its parameters with their controls.
+    Parameters,
+    /// `turning`: what turning its surface does, in the bar at the bottom.
+    Turning,
 }
 
 impl Ask {
@@ -125,6 +141,8 @@ pub(super) struct Written {
     question: String,
     #[serde(default)]
     hints: Vec<String>,
+    #[serde(default)]
+    covers: Vec<Cover>,
     choices: Option<Vec<WrittenChoice>>,
     number: Option<String>,
     unit: Option<String>,
@@ -152,6 +170,7 @@ impl Written {
         let Self {
             question,
             hints,
+            covers,
             choices,
             number,
             unit,
@@ -200,6 +219,7 @@ impl Written {
             question: text::line(&question)?,
             kind,
             hints: hints?,
+            covers,
         })
     }
 }

@@ -133,6 +133,12 @@ mod tests {
             ("integral(cos) / integral(1)", 0.5),
             ("angle(light)", 50.0),
             ("angle(light) at light 80", 80.0),
+            ("angle(light) at light 80 azimuth 30", 80.0),
+            (
+                "angle(light_azimuth) at light 80 azimuth 30, viewer 20",
+                30.0,
+            ),
+            ("angle(viewer_azimuth) at viewer 20 azimuth -90", -90.0),
             ("parameter(alpha_x) at alpha .7", 0.7),
             ("alpha_of_roughness(disney, .5) * 4", 1.0),
         ] {
@@ -187,6 +193,10 @@ mod tests {
             ("f at flavour 3", "unknown parameter 'flavour'"),
             ("f at alpha 7", "alpha"),
             ("f at light steep", "light 'steep': expected an angle"),
+            (
+                "f at light 20 azimuth 400",
+                "light azimuth '400': expected an angle from -360 to 360 degrees",
+            ),
             ("f at material 3", "there is no material 3"),
             ("f at material brass", "there is no material 'brass'"),
             ("1 / 0", "undefined"),

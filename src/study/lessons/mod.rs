@@ -20,7 +20,9 @@ mod tokens;
 mod work;
 mod worth;
 
-pub use ask::{Ask, Choice, Kind, Number, Reach, Tolerance, Verdict, right_choice, typed_number};
+pub use ask::{
+    Ask, Choice, Cover, Kind, Number, Reach, Tolerance, Verdict, right_choice, typed_number,
+};
 pub use check::{Fault, check};
 pub use expression::{Condition, Expression};
 pub use lesson::{Lesson, Start, Step};

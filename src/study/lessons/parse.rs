@@ -141,7 +141,15 @@ fn quantity(tokens: &mut Tokens<'_>, word: &str) -> Result<Call, String> {
                 }
             };
             let value = tokens.given("its value")?;
+            let azimuth = match name.as_str() {
+                "light" | "viewer" if tokens.takes_word("azimuth") => Some(Setting {
+                    name: format!("{name} azimuth"),
+                    value: tokens.given("an azimuth")?,
+                }),
+                _ => None,
+            };
             settings.push(Setting { name, value });
+            settings.extend(azimuth);
             if !tokens.takes(",") {
                 break;
             }

@@ -87,9 +87,17 @@ fn changed(scene: Scene, setting: &Setting) -> Result<Scene, String> {
             "{name} '{other}': expected an angle from 0 to 180 degrees"
         )),
     };
+    let azimuth = || match value {
+        Given::Number(azimuth) if azimuth.abs() <= 360.0 => Ok(*azimuth),
+        other => Err(format!(
+            "{name} '{other}': expected an angle from -360 to 360 degrees"
+        )),
+    };
     match name.as_str() {
         "light" => Ok(scene.with_light(angle()?)),
         "viewer" => Ok(scene.with_viewer(angle()?)),
+        "light azimuth" => Ok(scene.with_light_azimuth(azimuth()?)),
+        "viewer azimuth" => Ok(scene.with_viewer_azimuth(azimuth()?)),
         _ => scene.with_parameter(name, &value.text()),
     }
 }

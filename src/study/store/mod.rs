@@ -17,6 +17,7 @@ use place::Places;
 mod dialogs;
 mod files;
 mod labels;
+mod motion;
 mod own;
 mod partial;
 mod place;

@@ -38,6 +38,8 @@ pub(super) struct Preferences {
     pub(super) side: Side,
     /// How large the labels of plots are.
     pub(super) labels: LabelSize,
+    /// Whether nothing moves or fades by itself.
+    pub(super) has_reduced_motion: bool,
     /// Where the window stood.
     pub(super) window: Option<WindowPlace>,
     /// How figures are made.

@@ -12,7 +12,7 @@ use crate::number::{NumberSpec, Numbers};
 use crate::session::Session;
 use bxdf_lab::timing::Stopwatch;
 use bxdf_lab::tradeoff::table::{COLUMNS, rows as tradeoff_rows};
-use bxdf_lab::tradeoff::{FAMILIES, Report, Request};
+use bxdf_lab::tradeoff::{Accuracy, FAMILIES, Report, Request};
 
 pub(super) const KIND: ViewKind = ViewKind {
     id: "tradeoff",
@@ -78,6 +78,19 @@ pub fn request(session: &Session, stopwatch: Stopwatch) -> Request {
         held: session.on_surface(session.held()),
         families: wanted(session),
         stopwatch,
+    }
+}
+
+/// How far the choices of the selected material are off whose errors are found in a moment, among those that any of the session's
+/// trade-offs wants.
+#[must_use]
+pub fn accuracy(session: &Session) -> Accuracy {
+    let wanted = wanted(session);
+    let quick = FAMILIES.iter().filter(|family| family.has_quick_errors());
+    let ids = quick.map(|family| family.id());
+    Accuracy {
+        held: session.on_surface(session.held()),
+        families: ids.filter(|id| wanted.contains(id)).collect(),
     }
 }
 

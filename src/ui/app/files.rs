@@ -1,9 +1,11 @@
 //! The files that the application works on, and what asks for them.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 use super::picture::Maker;
 use crate::widgets::path_field::PathField;
+use bxdf_study::history::Document;
 use bxdf_study::store::{Dialogs, FileDialog, Store};
 
 /// The files that the application works on.
@@ -12,8 +14,8 @@ pub struct Files {
     pub(super) asking: Asking,
     /// What makes the files of pictures.
     pub(super) maker: Maker,
-    /// The file of the session, where it has one.
-    pub(super) file: Option<PathBuf>,
+    /// The files of the sessions that were opened from one or saved to one.
+    pub(super) of: HashMap<Document, PathBuf>,
 }
 
 /// What asks for files, one dialog at a time.

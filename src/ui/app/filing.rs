@@ -1,5 +1,6 @@
 //! Opening, saving, dropping, and what is kept for the next run.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -10,10 +11,12 @@ use super::App;
 use super::files::{Asking, Files};
 use super::picture::Maker;
 use crate::screens;
+use crate::theme;
 use crate::widgets::saved::Saved;
 use bxdf::error::{Error, Result};
 use bxdf_study::colors;
 use bxdf_study::files;
+use bxdf_study::history::Document;
 use bxdf_study::session::{self, Opened, Session};
 use bxdf_study::store::{Dialogs, FileDialog, News, Store};
 use bxdf_study::{lessons, link};
@@ -60,6 +63,7 @@ impl App {
         }
         self.side = store.side();
         self.labels = store.labels();
+        theme::reduce_motion(ctx, store.has_reduced_motion());
         self.learning.restore(store.progress());
         self.exports.choice = store.figure();
         self.is_linked_from(store.page().map(str::to_owned));
@@ -74,7 +78,7 @@ impl App {
             store,
             asking: Asking::by(dialogs),
             maker,
-            file: None,
+            of: HashMap::new(),
         });
     }
 
@@ -119,16 +123,27 @@ impl App {
         }
     }
 
+    /// Puts another session in place of this one, which undo brings back, with its file. The other has none yet.
+    pub(super) fn replace(&mut self, session: Session) -> Document {
+        self.session = session;
+        self.history.replace()
+    }
+
+    /// The file of the session, where it has one.
+    fn file(&self) -> Option<&PathBuf> {
+        let files = self.files.as_ref()?;
+        files.of.get(&self.history.document())
+    }
+
     /// The name of the file of the session, or one for a new one.
     fn proposed_name(&self) -> String {
-        let file = self.files.as_ref().and_then(|files| files.file.as_ref());
-        let name = file.and_then(|path| path.file_name());
+        let name = self.file().and_then(|path| path.file_name());
         name.map_or(NEW_NAME.into(), |name| name.to_string_lossy().into_owned())
     }
 
     /// Saves to the file of the session; asks for one where it has none.
     pub fn save(&mut self) {
-        match self.files.as_ref().and_then(|files| files.file.clone()) {
+        match self.file().cloned() {
             Some(path) => {
                 let saved = self.save_to(&path, Store::save);
                 self.notice.report(saved);
@@ -146,7 +161,7 @@ impl App {
             return Ok(());
         };
         let aside = save(&mut files.store, path, &self.session)?;
-        files.file = Some(path.to_owned());
+        files.of.insert(self.history.document(), path.to_owned());
         let mut saved = Saved::to(path);
         if let Some(aside) = aside {
             saved.add(&set_aside(&aside));
@@ -183,7 +198,7 @@ impl App {
             match opened {
                 Opened::Session(read) => {
                     read.session.require_fit()?;
-                    self.session = read.session;
+                    self.replace(read.session);
                 }
                 Opened::Material(material) => {
                     self.session.materials.add(*material)?;
@@ -199,7 +214,7 @@ impl App {
         if let (Some(files), Some(path)) = (&mut self.files, path) {
             files.store.remember(&path);
             if is_session {
-                files.file = Some(path);
+                files.of.insert(self.history.document(), path);
             }
         }
     }
@@ -212,7 +227,7 @@ impl App {
             return;
         }
         if let Err(error) = self.session.require_fit() {
-            self.session.clone_from(before);
+            self.history.refuse(&mut self.session);
             self.notice.say(&format!("{error}; nothing is changed"));
         }
     }
@@ -271,7 +286,7 @@ impl App {
         }
     }
 
-    /// Keeps the theme, the labels, the panel at the side and the place of the window for the next run, and the session a moment after it has changed.
+    /// Keeps the theme, the labels, whether anything moves, the panel at the side and the place of the window for the next run, and the session a moment after it has changed.
     pub(crate) fn keep(&mut self, ctx: &Context) {
         let Some(files) = &mut self.files else { return };
         files
@@ -283,6 +298,8 @@ impl App {
             });
         files.store.keep_side(self.side);
         files.store.keep_labels(self.labels);
+        let is_reduced = theme::has_reduced_motion(ctx);
+        files.store.keep_reduced_motion(is_reduced);
         files.store.keep_progress(self.learning.progress());
         let is_presenting = self.zoom_before.is_some();
         let window = screens::place(ctx, files.store.window());

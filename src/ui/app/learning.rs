@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::widgets::lesson::Group;
+use bxdf_study::history::Document;
 use bxdf_study::lessons::{self, Ask, Lesson, Scenes, Work};
 use bxdf_study::session::Session;
 use bxdf_study::store::Progress;
@@ -36,6 +37,8 @@ pub(super) struct At {
     pub(super) scenes: Arc<Scenes>,
     /// The state that the step begins with.
     pub(super) begun: Session,
+    /// Which session the lesson works on: none other is changed by it.
+    pub(super) document: Document,
     /// The session before what a wrong answer would look like was shown.
     pub(super) before: Option<Session>,
     /// Whether the state behind the question is to be shown, once nothing is in the hand.
@@ -52,6 +55,7 @@ impl At {
             works: vec![Work::default(); lesson.steps.len()],
             scenes: Arc::new(Scenes::of(&begun)),
             begun,
+            document: Document::default(),
             before: None,
             is_after_due: false,
             is_new: false,
@@ -60,8 +64,11 @@ impl At {
         })
     }
 
-    pub(super) fn ask(&self) -> Option<&Ask> {
-        self.lesson.steps.get(self.step)?.ask.as_ref()
+    /// The question of the step, before it is answered.
+    pub(super) fn open(&self) -> Option<&Ask> {
+        let ask = self.lesson.steps.get(self.step)?.ask.as_ref();
+        let is_answered = self.works.get(self.step).is_some_and(Work::is_revealed);
+        ask.filter(|_| !is_answered)
     }
 }
 

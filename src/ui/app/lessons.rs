@@ -9,9 +9,9 @@ use super::learning::{At, begun};
 use crate::theme::{self, Palette};
 use crate::widgets::lesson::{self, Done, Prose, Shown, Turn};
 use crate::widgets::things;
-use bxdf_study::lessons::{Lesson, Scenes, Shelf, Thing, Work};
+use bxdf_study::lessons::{Cover, Lesson, Scenes, Shelf, Thing, Work};
 use bxdf_study::link;
-use bxdf_study::session::ViewId;
+use bxdf_study::session::{Session, ViewId};
 use bxdf_study::store::Progress;
 
 impl App {
@@ -37,9 +37,7 @@ impl App {
         }
         self.learning.is_shown = true;
         self.learning.at = At::of(lesson.clone(), step, room);
-        if let Some(at) = &self.learning.at {
-            self.session.clone_from(&at.begun);
-        }
+        self.begin_step();
     }
 
     /// Shows the lessons of a file or a folder in the list; a single one is opened.
@@ -95,12 +93,42 @@ impl App {
             (at.step, at.before, at.is_after_due) = (step, None, false);
             at.is_new = false;
             at.begun = begun;
-            self.session.clone_from(&at.begun);
             let is_revealed = at.works.get(step).is_some_and(Work::is_revealed);
-            if is_revealed {
+            self.begin_step();
+            if is_revealed && let Some(at) = &self.learning.at {
                 // What was answered once is seen with its answer.
                 let _ = at.lesson.state_after(step, &mut self.session);
             }
+        }
+    }
+
+    /// Puts the state that the step begins with in place of the session.
+    fn begin_step(&mut self) {
+        let begun = self.learning.at.as_ref().map(|at| at.begun.clone());
+        let document = begun.map(|begun| self.replace(begun));
+        if let (Some(at), Some(document)) = (&mut self.learning.at, document) {
+            (at.before, at.document) = (None, document);
+        }
+    }
+
+    /// Changes the session for the lesson. Where another one has come meanwhile, what comes of it is a session by itself: the file of
+    /// that one is not written over with it.
+    fn change_for(&mut self, at: &mut At, change: impl FnOnce(&mut Session)) {
+        let mut session = self.session.clone();
+        change(&mut session);
+        if self.history.document() == at.document {
+            self.session = session;
+        } else if session != self.session {
+            at.document = self.replace(session);
+        }
+    }
+
+    /// Shows the state behind the question.
+    fn show_answer(&mut self, at: &mut At) {
+        if let Some(Some(after)) = at.lesson.steps.get(at.step).map(|step| step.after.clone()) {
+            self.change_for(at, |session| {
+                let _ = after.apply(session);
+            });
         }
     }
 
@@ -217,7 +245,7 @@ impl App {
                 self.go_to_step(step);
                 self.attend_step(ui.ctx());
             }
-            Some(Turn::Again) => self.begin_step_again(),
+            Some(Turn::Again) => self.begin_step(),
             Some(Turn::Question(done)) => self.take_answer(&done),
             Some(Turn::Copy) => self.copy_step_link(ui.ctx()),
             None => {}
@@ -225,13 +253,6 @@ impl App {
         if is_left {
             self.learning.at = None;
             self.learning.is_new = is_by_key(ui.ctx());
-        }
-    }
-
-    fn begin_step_again(&mut self) {
-        if let Some(at) = &mut self.learning.at {
-            at.before = None;
-            self.session.clone_from(&at.begun);
         }
     }
 
@@ -255,7 +276,7 @@ impl App {
     fn go_behind_question(&mut self, at: &mut At, ctx: &Context) {
         if at.is_after_due && ctx.dragged_id().is_none() {
             at.is_after_due = false;
-            let _ = at.lesson.state_after(at.step, &mut self.session);
+            self.show_answer(at);
         }
     }
 
@@ -263,41 +284,58 @@ impl App {
         let Some(mut at) = self.learning.at.take() else {
             return;
         };
-        let ask = at.ask().cloned();
         let scenes = Arc::clone(&at.scenes);
-        if let (Some(ask), Some(work)) = (ask, at.works.get_mut(at.step)) {
+        let step = at.lesson.steps.get(at.step).cloned();
+        let ask = step.as_ref().and_then(|step| step.ask.as_ref());
+        if let (Some(ask), Some(mut work)) = (ask, at.works.get(at.step).cloned()) {
             let was_revealed = work.is_revealed();
             match done {
-                Done::Choose(index) => work.choose(&ask, *index, &scenes),
-                Done::Submit => work.submit(&ask, &scenes),
+                Done::Choose(index) => work.choose(ask, *index, &scenes),
+                Done::Submit => work.submit(ask, &scenes),
                 Done::LookUp => {
-                    if let Some(solution) = work.look_up(&ask, &scenes) {
-                        let _ = solution.apply(&mut self.session);
+                    if let Some(solution) = work.look_up(ask, &scenes) {
+                        self.change_for(&mut at, |session| {
+                            let _ = solution.apply(session);
+                        });
                     }
                 }
                 Done::Show => {
-                    if let Some(shown) = work.shown(&ask, &self.session) {
-                        at.before = Some(std::mem::replace(&mut self.session, shown));
+                    if let Some(shown) = work.shown(ask, &self.session) {
+                        at.before = Some(self.session.clone());
+                        self.change_for(&mut at, |session| *session = shown);
                     }
                 }
-                Done::Back => {
-                    if let Some(before) = at.before.take() {
-                        self.session = before;
-                    }
-                }
+                Done::Back => self.go_back(&mut at),
             }
             if work.is_revealed() && !was_revealed {
-                let is_answered = !work.is_looked_up;
-                if let Some(before) = at.before.take() {
-                    self.session = before;
-                }
-                let _ = at.lesson.state_after(at.step, &mut self.session);
-                if is_answered && let Some(step) = at.lesson.steps.get(at.step) {
+                self.go_back(&mut at);
+                self.show_answer(&mut at);
+                if !work.is_looked_up
+                    && let Some(step) = &step
+                {
                     self.learning.progress.answer(&at.lesson.id, &step.title);
                 }
             }
+            if let Some(kept) = at.works.get_mut(at.step) {
+                *kept = work;
+            }
         }
         self.learning.at = Some(at);
+    }
+
+    /// Goes back from what a wrong answer would look like.
+    fn go_back(&mut self, at: &mut At) {
+        if let Some(before) = at.before.take() {
+            self.change_for(at, |session| *session = before);
+        }
+    }
+
+    /// What the question at hand keeps covered of the session that it is about: nothing once it is answered, or while it is not to be seen.
+    pub(crate) fn covers(&self) -> Vec<Cover> {
+        let at = self.learning.at.as_ref();
+        let is_about = |at: &&At| self.learning.is_shown && at.document == self.history.document();
+        let asked = at.filter(is_about).and_then(At::open);
+        asked.map_or_else(Vec::new, |ask| ask.covers.clone())
     }
 
     /// Marks a view that words of a lesson point at.

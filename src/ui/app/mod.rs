@@ -233,7 +233,7 @@ impl App {
 
     /// Begins anew.
     pub fn start_anew(&mut self, ctx: &Context) {
-        self.session = Session::default();
+        self.replace(Session::default());
         self.picker.close(ctx);
     }
 

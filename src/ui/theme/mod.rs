@@ -295,6 +295,35 @@ pub fn apply(ctx: &egui::Context) {
     }
 }
 
+/// Lets nothing move or fade by itself, or lets it again.
+pub fn reduce_motion(ctx: &egui::Context, is_reduced: bool) {
+    if has_reduced_motion(ctx) == is_reduced {
+        return;
+    }
+    ctx.data_mut(|data| data.insert_temp(reduced_motion(), is_reduced));
+    let usual = egui::Style::default();
+    ctx.all_styles_mut(|style| {
+        if is_reduced {
+            style.animation_time = 0.0;
+            style.scroll_animation = egui::style::ScrollAnimation::none();
+        } else {
+            style.animation_time = usual.animation_time;
+            style.scroll_animation = usual.scroll_animation;
+        }
+    });
+}
+
+/// Whether nothing moves or fades by itself.
+#[must_use]
+pub fn has_reduced_motion(ctx: &egui::Context) -> bool {
+    let is_reduced: Option<bool> = ctx.data(|data| data.get_temp(reduced_motion()));
+    is_reduced.unwrap_or(false)
+}
+
+fn reduced_motion() -> egui::Id {
+    egui::Id::unique("reduced motion")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -14,6 +14,7 @@ mod decomposition;
 mod direction;
 mod formula_card;
 mod fresnel;
+mod half_vector;
 pub mod heading;
 mod hemisphere;
 mod inspector;

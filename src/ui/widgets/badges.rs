@@ -4,11 +4,13 @@ use std::fmt::Write as _;
 
 use egui::{Button, Color32, Response, RichText, Role, Ui, WidgetInfo};
 
+use super::covered;
 use crate::theme::{self, Palette};
 use bxdf::Material;
 use bxdf_lab::contract::{LawId, LawReport, PHYSICAL, PhysicalLaws, Status, Witness};
 use bxdf_study::answers::Answers;
 use bxdf_study::format;
+use bxdf_study::lessons::Cover;
 use bxdf_study::session::MaterialEntry;
 
 /// What is known of a law for a material.
@@ -102,6 +104,10 @@ impl Badges<'_> {
 
     /// One symbol for all laws. Returns where to go, if it is clicked.
     pub(super) fn summary(&self, ui: &mut Ui, palette: &Palette) -> Option<Witness> {
+        if covered::is_covered(ui.ctx(), Cover::Laws) {
+            ui.weak("–").on_hover_text(covered::WHY);
+            return None;
+        }
         let (law, finding) = self.worst();
         let name = match finding {
             Finding::Kept => format!("Laws of {}: kept", self.title),
@@ -207,6 +213,10 @@ pub fn show(
     if let Some(lack) = entry.material.lack() {
         let text = RichText::new(format!("Not shown: {lack}")).small();
         ui.label(text.color(palette.warning));
+        return None;
+    }
+    if covered::is_covered(ui.ctx(), Cover::Laws) {
+        covered::stand_in(ui, "Laws");
         return None;
     }
     let checks = answers.of_material(entry, PhysicalLaws);

@@ -3,9 +3,11 @@
 use egui::{Key, TextStyle, Ui};
 
 use crate::widgets::choice::width_of;
+use crate::widgets::covered;
 use crate::widgets::hint::at_number;
 use crate::widgets::number::Number;
 use bxdf_lab::analysis::Hold;
+use bxdf_study::lessons::Cover;
 use bxdf_study::number::NumberSpec;
 use bxdf_study::session::{PHI, ROTATION, Session};
 
@@ -43,14 +45,14 @@ impl Angle {
         }
     }
 
-    fn hint(self, session: &Session) -> String {
+    fn hint(self, ui: &Ui, session: &Session) -> String {
         let held = session.held_name();
         match self {
             Self::Theta => format!("θ: polar angle of the {held} from the normal n"),
             Self::Phi => format!("φ: azimuth of the {held} from the axis s"),
             Self::Turn => format!(
                 "Turns the surface with its own axes (see its brush lines) under the fixed directions and the axes s and t.\n{}",
-                turning(session)
+                turning(ui, session)
             ),
         }
     }
@@ -67,7 +69,7 @@ impl Angle {
     /// Its name, a slider of this width where there is one, and the number. The slider has steps of a tenth of a degree as long
     /// as the value has no finer digits.
     pub fn show(self, ui: &mut Ui, session: &mut Session, rail: Option<f32>) {
-        let hint = self.hint(session);
+        let hint = self.hint(ui, session);
         let (spec, value) = self.of(session);
         let is_tenth = (*value * 10.0).fract() == 0.0;
         let step = if is_tenth { 0.1 } else { 0.0 };
@@ -138,10 +140,12 @@ pub fn shown(session: &Session) -> &'static str {
     }
 }
 
-/// What turning the surface does, in words.
+/// What turning the surface does, in words; nothing where a question asks for it.
 #[must_use]
-pub fn turning(session: &Session) -> &'static str {
-    if session.material().is_isotropic() {
+pub fn turning(ui: &Ui, session: &Session) -> &'static str {
+    if covered::is_covered(ui.ctx(), Cover::Turning) {
+        ""
+    } else if session.material().is_isotropic() {
         "Isotropic: turning it changes nothing"
     } else {
         "Anisotropic: its lobe turns with it"

@@ -8,6 +8,7 @@ pub mod chart;
 pub mod chevron;
 pub mod choice;
 pub mod components;
+pub mod covered;
 mod data;
 pub mod deltas;
 pub mod directions;

@@ -2,11 +2,12 @@
 
 use egui::{ComboBox, Response, ThemePreference, Ui};
 
+use crate::theme;
 use crate::widgets::number::Number;
 use bxdf_study::session::{SECTION_PHI, Session};
 use bxdf_study::store::LabelSize;
 
-/// Dark, light, or as the system has it; and how large the labels of plots are.
+/// Dark, light, or as the system has it; how large the labels of plots are; and whether anything moves by itself.
 pub fn display_menu(ui: &mut Ui, labels: &mut LabelSize) {
     let mut preference = ui.options(|options| options.theme_preference);
     let menu = ui.menu_button("🌙", |ui| {
@@ -29,10 +30,17 @@ pub fn display_menu(ui: &mut Ui, labels: &mut LabelSize) {
                 node.set_label(format!("Labels at {name}"));
             });
         }
+        ui.separator();
+        let mut is_reduced = theme::has_reduced_motion(ui.ctx());
+        let switch = ui.checkbox(&mut is_reduced, "Reduce motion");
+        switch.on_hover_text(
+            "Nothing moves or fades by itself: the camera jumps, and marks go at once",
+        );
+        theme::reduce_motion(ui.ctx(), is_reduced);
     });
-    let response = menu
-        .response
-        .on_hover_text("Dark or light, and the size of the labels in plots");
+    let response = menu.response.on_hover_text(
+        "Dark or light, the size of the labels in plots, and whether anything moves by itself",
+    );
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label("Theme"));
     ui.ctx().set_theme(preference);

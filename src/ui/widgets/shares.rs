@@ -4,7 +4,7 @@ use egui::{Color32, Grid, Painter, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2
 
 use glam::DVec3;
 
-use super::category;
+use super::{category, covered};
 use crate::theme::{self, Palette};
 use bxdf::{Category, Side};
 use bxdf_lab::analysis::Channel;
@@ -59,6 +59,16 @@ impl<'a> Energy<'a> {
         Self {
             found: shares.map(Reflectance::of).ok_or(missing),
             parts: shares.map_or_else(Vec::new, |shares| parts(shares, palette)),
+            palette,
+        }
+    }
+
+    /// Of shares that a question asks for: nothing is shown of them.
+    #[must_use]
+    pub const fn covered(palette: &'a Palette) -> Self {
+        Self {
+            found: Err([covered::INSTEAD, covered::WHY]),
+            parts: Vec::new(),
             palette,
         }
     }

@@ -118,6 +118,15 @@ impl Query for Request {
     }
 }
 
+/// The three estimates of a study of so many draws, alone.
+#[must_use]
+pub fn estimators(lobe: &HeldLobe<'_>, count: usize, seed: u64) -> [Estimator; 3] {
+    let drawn = drawn(lobe, count, seed, &|| true);
+    drawn.map_or_else(Default::default, |drawn| {
+        estimator::all(lobe, &drawn.points, count, seed)
+    })
+}
+
 /// The luminance of the integral of f |cos(theta)| over the sphere, without deltas.
 fn integral(lobe: &HeldLobe<'_>) -> f64 {
     let integrals = lobe.integrals(INTEGRAL_TOLERANCE, INTEGRAL_EVALUATIONS);

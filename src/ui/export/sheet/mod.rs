@@ -10,11 +10,11 @@ use crate::app::{OnScreen, Picture, Title};
 use bxdf::error::{Error, Result};
 use bxdf_study::colors;
 use bxdf_study::export::figure::Use;
-use bxdf_study::lessons::{Lesson, Named, Step};
+use bxdf_study::lessons::{Ask, Lesson, Named, Step};
 use bxdf_study::session::{Session, ViewId};
 use bxdf_study::views::{OfKind as _, tradeoff};
 use columns::{COLUMN, Columns, Item, PAPER};
-use setter::{Setter, TEXT, TITLES};
+use setter::{SMALL, Setter, TEXT, TITLES};
 
 mod columns;
 mod question;
@@ -41,14 +41,14 @@ pub fn of_lesson(named: &Named) -> Result<Vec<u8>> {
     let mut setter = Setter::new(Theme::Light);
     let mut items = Vec::new();
     let mut last: Option<Session> = None;
-    let mut asked = 0;
+    let (mut asked, mut hints) = (0, Vec::new());
     for (index, step) in steps(named) {
         let session = state(lesson, index)?;
         items.push(Item::heading(setter.title(&step.title, TITLES[2])));
         items.extend(setter.blocks(&session, &step.text));
         if last.as_ref() != Some(&session) {
             for view in session.views.ids().into_iter().take(MOST_FIGURES) {
-                items.push(Item::of(figure(&mut setter, &session, view)?));
+                items.push(Item::figure(figure(&mut setter, &session, view)?));
             }
         }
         if let Some(ask) = &step.ask {
@@ -57,9 +57,11 @@ pub fn of_lesson(named: &Named) -> Result<Vec<u8>> {
                 question::show(ui, asked, (ask, None), prose);
             });
             items.push(Item::of(text));
+            hints.push((asked, session.clone(), ask));
         }
         last = Some(session);
     }
+    items.extend(all_hints(&mut setter, &hints));
     let head = setter.head(&lesson.title, &lesson.summary, true);
     print(&mut setter, &lesson.title, &head, items)
 }
@@ -71,7 +73,7 @@ pub fn of_lesson(named: &Named) -> Result<Vec<u8>> {
 pub fn of_class(named: &[Named], has_answers: bool) -> Result<Vec<u8>> {
     let mut setter = Setter::new(Theme::Light);
     let mut items = Vec::new();
-    let mut asked = 0;
+    let (mut asked, mut hints) = (0, Vec::new());
     for one in named {
         let lesson = &one.lesson;
         let mut is_begun = false;
@@ -97,7 +99,10 @@ pub fn of_class(named: &[Named], has_answers: bool) -> Result<Vec<u8>> {
                 question::show(ui, asked, (ask, solved.as_ref()), prose);
             });
             items.push(Item::apart(text));
-            let Some(solved) = solved else { continue };
+            let Some(solved) = solved else {
+                hints.push((asked, begun, ask));
+                continue;
+            };
             items.extend(setter.blocks(&solved.after, &step.answer));
         }
     }
@@ -105,6 +110,7 @@ pub fn of_class(named: &[Named], has_answers: bool) -> Result<Vec<u8>> {
         let ids: Vec<&str> = named.iter().map(|one| one.lesson.id.as_str()).collect();
         return Err(Error::parse(ids.join(", "), "there is no question in it"));
     }
+    items.extend(all_hints(&mut setter, &hints));
     let (title, about) = if has_answers {
         (
             "Questions and answers",
@@ -118,6 +124,21 @@ pub fn of_class(named: &[Named], has_answers: bool) -> Result<Vec<u8>> {
     };
     let head = setter.head(title, about, !has_answers);
     print(&mut setter, title, &head, items)
+}
+
+/// What helps with the questions, each with its number and the state that it is of: small, behind them all, for who is at a loss.
+fn all_hints(setter: &mut Setter, hints: &[(usize, Session, &Ask)]) -> Vec<Item> {
+    let mut items = Vec::new();
+    for (number, session, ask) in hints.iter().filter(|(.., ask)| !ask.hints.is_empty()) {
+        if items.is_empty() {
+            items.push(Item::heading(setter.title("Hints", TITLES[2])));
+        }
+        let text = setter.prose_of(SMALL, session, |ui, prose| {
+            question::show_hints(ui, *number, ask, prose);
+        });
+        items.push(Item::of(text));
+    }
+    items
 }
 
 /// The pages of what is set in columns.

@@ -7,7 +7,7 @@ use crate::widgets::lesson::{Prose, written};
 use bxdf::error::{Error, Result};
 use bxdf_lab::analysis::half_difference::Spherical;
 use bxdf_study::format;
-use bxdf_study::lessons::{Ask, Choice, Kind, Lesson, Scenes, right_choice};
+use bxdf_study::lessons::{Ask, Choice, Kind, Lesson, Scenes, Span, Style, right_choice};
 use bxdf_study::session::Session;
 
 /// The side of a box to be ticked, in points.
@@ -152,6 +152,23 @@ pub(super) fn show(
             }
         }
     });
+}
+
+/// Writes what helps with a question, in one paragraph.
+pub(super) fn show_hints(ui: &mut Ui, number: usize, ask: &Ask, prose: &mut Prose<'_>) {
+    let words = |text: String, is_strong| Span::Words {
+        text,
+        style: Style {
+            is_strong,
+            ..Style::default()
+        },
+    };
+    let mut spans = vec![words(format!("Question {number}: "), true)];
+    for hint in &ask.hints {
+        spans.extend(hint.iter().cloned());
+        spans.push(words(" ".to_owned(), false));
+    }
+    prose.line(ui, &spans);
 }
 
 /// The choices, each with a box; `right`: the index of the one that is ticked.

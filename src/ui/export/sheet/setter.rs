@@ -17,6 +17,9 @@ use bxdf_study::session::Session;
 /// The size of letters, in points: 9 in print.
 pub(super) const TEXT: f32 = 14.4;
 
+/// The size of letters of what is not to be read at first, in points: 7 in print.
+pub(super) const SMALL: f32 = 11.2;
+
 /// The sizes of titles: of the sheet, of a lesson on a sheet of several, of a step.
 pub(super) const TITLES: [f32; 3] = [27.0, 20.0, 17.0];
 
@@ -82,6 +85,16 @@ impl Setter {
     pub(super) fn prose(
         &mut self,
         session: &Session,
+        add: impl FnMut(&mut Ui, &mut Prose<'_>),
+    ) -> Painted {
+        self.prose_of(TEXT, session, add)
+    }
+
+    /// Prose about a session, in letters of this size.
+    pub(super) fn prose_of(
+        &mut self,
+        size: f32,
+        session: &Session,
         mut add: impl FnMut(&mut Ui, &mut Prose<'_>),
     ) -> Painted {
         let scenes = Arc::new(Scenes::of(session));
@@ -92,7 +105,7 @@ impl Setter {
                 session,
                 answers: &mut setter.answers,
                 palette: &setter.palette,
-                size: TEXT,
+                size,
             };
             add(ui, &mut prose);
         })

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use egui::{Rect, Response, Shape, Ui};
 
 use super::context::ViewContext;
-use super::direction;
-use super::settings;
+use super::{direction, half_vector, settings};
+use crate::theme::Dash;
 use crate::widgets::labels::Labels;
 use crate::widgets::pictures::{self, Cell, ColorScale, Picture, ScaleKind};
 use crate::widgets::{choice, deltas, draw};
@@ -71,6 +71,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     // Above all pictures: a grip may reach into the next one.
     if let Some(picture) = first {
         drag_directions(ui, cx, picture, &covered);
+        mark_half(ui, cx, picture);
     }
     ui.advance_cursor_after_rect(room);
 }
@@ -281,6 +282,16 @@ fn drag_directions(ui: &Ui, cx: &mut ViewContext<'_, Options>, rect: Rect, cover
             ui.ctx().request_repaint();
         }
     }
+}
+
+/// The half vector while words point at it, which is on the upper side.
+fn mark_half(ui: &Ui, cx: &ViewContext<'_, Options>, rect: Rect) {
+    let half = half_vector::pointed(ui, cx.session).filter(|_| !cx.options.is_lower);
+    let tip = half.map(|half| {
+        let place = mirrored(cx.options.projection.place(half));
+        pictures::position_of(rect, place)
+    });
+    half_vector::mark(ui, [None, tip], Dash::Solid, cx.palette);
 }
 
 /// The direction under the pointer; the one pointed at in another view.

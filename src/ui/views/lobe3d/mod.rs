@@ -7,9 +7,9 @@ use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo};
 use glam::{DVec3, Vec3};
 
 use super::context::ViewContext;
-use super::{settings, side_by_side};
+use super::{half_vector, settings, side_by_side};
 use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
-use crate::theme::{Dash, rgba};
+use crate::theme::{self, Dash, rgba};
 use crate::widgets::labels::Labels;
 use crate::widgets::legend::Swatch;
 use crate::widgets::{draw, reset, still};
@@ -145,6 +145,10 @@ fn show_scene(
         axes::draw(&ui.painter_at(rect), rect, &camera, &solids, cx.palette);
     }
     sketch.draw(cx.session, &directions, &drawing);
+    if let Some(half) = half_vector::pointed(ui, cx.session) {
+        let ends = [Vec3::ZERO, half.as_vec3()].map(|end| camera.project(end, rect));
+        half_vector::mark(ui, ends, Dash::Solid, cx.palette);
+    }
     let mut free = rect;
     if is_moved(cx) && rect.intersects(covered) {
         free.min.y = covered.bottom();
@@ -204,6 +208,10 @@ fn glided(ui: &Ui, cx: &mut ViewContext<'_, Options>) -> OrbitCamera {
     }
     let now = ui.input(|input| input.time);
     let glide: &mut Glide = cx.state.own(cx.view);
+    if theme::has_reduced_motion(ui.ctx()) {
+        *glide = Glide::default();
+        return cx.session.camera.clone();
+    }
     let (camera, is_on_way) = glide.shown(&cx.session.camera, now);
     if is_on_way {
         ui.ctx().request_repaint();

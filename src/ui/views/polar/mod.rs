@@ -1,10 +1,12 @@
 //! The polar plot: a section of the lobe through a plane that contains n.
 
-use egui::{IdSalt, Sense, Ui, UiBuilder, vec2};
+use egui::{IdSalt, Pos2, Sense, Ui, UiBuilder, vec2};
 use egui_plot::{Plot, PlotBounds, PlotMemory, PlotPoint, PlotTransform};
 
+use glam::DVec3;
+
 use super::context::ViewContext;
-use super::{settings, side_by_side};
+use super::{half_vector, settings, side_by_side};
 use crate::theme::Dash;
 use crate::widgets::legend::Swatch;
 use crate::widgets::{draw, reset, still};
@@ -179,27 +181,36 @@ fn show_plot(
     if !response.response.hovered() {
         mark_cursor(ui, cx, &transform);
     }
+    if let Some(half) = half_vector::pointed(ui, cx.session) {
+        let (ends, dash) = way_of(half, cx, &transform);
+        half_vector::mark(ui, ends.map(Some), dash, &palette);
+    }
     let memory = PlotMemory::load(ui.ctx(), id);
     let is_moved = memory.is_some_and(|memory| !memory.auto_bounds.all());
     reset::of_plot(ui, id, *transform.frame(), is_moved);
 }
 
-/// The direction pointed at in another view, at its theta: dashed where it lies outside the section.
+/// The direction pointed at in another view.
 fn mark_cursor(ui: &Ui, cx: &ViewContext<'_, Options>, transform: &PlotTransform) {
     let Some((cursor, strength)) = &cx.mark else {
         return;
     };
-    let azimuth = cx.options.own_section_deg.of(cx.session).phi();
-    let angle = polar::signed_angle(cursor.direction, azimuth);
-    let ends = [[0.0, 0.0], at(1.0, angle)]
-        .map(|[x, y]| transform.position_from_point(&PlotPoint::new(x, y)));
-    let dash = if deltas::is_in_section(cursor.direction, azimuth) {
-        Dash::Solid
-    } else {
-        Dash::Dashed
-    };
+    let (ends, dash) = way_of(cursor.direction, cx, transform);
     let look = (cx.palette, *strength);
     draw::cursor_mark(&ui.painter_at(*transform.frame()), ends, dash, look);
+}
+
+/// The line to a direction at its theta: dashed where it lies outside the section.
+fn way_of(w: DVec3, cx: &ViewContext<'_, Options>, transform: &PlotTransform) -> ([Pos2; 2], Dash) {
+    let azimuth = cx.options.own_section_deg.of(cx.session).phi();
+    let angle = polar::signed_angle(w, azimuth);
+    let ends = [[0.0, 0.0], at(1.0, angle)]
+        .map(|[x, y]| transform.position_from_point(&PlotPoint::new(x, y)));
+    if deltas::is_in_section(w, azimuth) {
+        (ends, Dash::Solid)
+    } else {
+        (ends, Dash::Dashed)
+    }
 }
 
 /// What the plot shows, the selected material last, so that it lies over the others.

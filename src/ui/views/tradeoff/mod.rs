@@ -1,5 +1,6 @@
 //! The trade-off: the cheapest choice that is good enough, and error over cost of every one.
 
+mod accuracy;
 mod advice;
 mod charts;
 mod chosen;
@@ -36,14 +37,10 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
     let report = ordered.as_ref().and_then(|ordered| ordered.answer.clone());
     settings::show(ui, cx, |ui, cx| controls(ui, cx, report.as_deref()));
     let Some(report) = report.filter(|report| !report.families.is_empty()) else {
-        let note = match ordered {
-            Some(_) => "Finding where the material sends its light …",
-            None => {
-                "Press Measure: every choice a renderer has for this material is tried on this \
-                 machine, some seconds long"
-            }
-        };
-        draw::centred_note(ui, note);
+        match ordered {
+            Some(_) => draw::centred_note(ui, "Finding where the material sends its light …"),
+            None => accuracy::show(ui, cx),
+        }
         return;
     };
     let shown = cx.options.wanted(&report);

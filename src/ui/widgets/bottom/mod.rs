@@ -60,7 +60,7 @@ impl Bar<'_> {
                 angle.show(ui, session, rail);
             }
             if is_here(Part::Turning) {
-                ui.weak(directions::turning(session));
+                ui.weak(directions::turning(ui, session));
             }
             if is_here(Part::Energy) {
                 ui.add(egui::Separator::default().spacing(SEPARATOR));
@@ -117,7 +117,7 @@ impl Bar<'_> {
             // They stand beside the numbers that are here too.
             Part::Rails => {}
             Part::Turning => {
-                ui.label(directions::turning(session));
+                ui.label(directions::turning(ui, session));
             }
             Part::Energy => self.energy.bar(ui),
             Part::Words => {
@@ -137,7 +137,7 @@ impl Bar<'_> {
             Part::Shown => text_width(ui, directions::shown(session)) + gap,
             Part::Of(angle) => text_width(ui, angle.symbol()) + theme::NUMBER_WIDTH + 2.0 * gap,
             Part::Rails => Angle::ALL.len() as f32 * (rail + gap),
-            Part::Turning => text_width(ui, directions::turning(session)) + gap,
+            Part::Turning => text_width(ui, directions::turning(ui, session)) + gap,
             Part::Energy => theme::SHARE_BAR.x + gap,
             Part::Words => {
                 let texts = self.energy.texts().into_iter();
