@@ -41,6 +41,7 @@ mod render;
 mod scales;
 mod screenshots;
 mod sessions;
+mod small;
 mod tables;
 mod tiles;
 mod typing;
