@@ -7,7 +7,8 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{By, NodeT as _, Queryable};
 
-use super::{picture, session};
+use super::files::work_in;
+use super::{Folder, picture, session};
 
 /// Phones, upright and lying, in points.
 const PHONES: [[u32; 2]; 4] = [[390, 844], [360, 640], [844, 390], [640, 360]];
@@ -176,6 +177,41 @@ fn a_lesson_stands_below_the_view_of_an_upright_phone() {
             );
         } else {
             assert!(share > 0.55 || all.left() < 20.0, "{size:?}: {all}");
+        }
+    }
+}
+
+#[test]
+fn every_dialog_fits_into_a_phone() {
+    let (ctrl, none) = (Modifiers::COMMAND, Modifiers::NONE);
+    let dialogs = [(none, Key::F1), (ctrl, Key::K), (ctrl, Key::E)];
+    for size in PHONES {
+        for (modifiers, key) in dialogs {
+            let folder = Folder::new("small-dialogs");
+            let mut harness = phone(size);
+            work_in(&mut harness, &folder);
+            harness.run();
+            let before = pressed(&harness).len();
+            harness.key_press_modifiers(modifiers, key);
+            harness.run();
+            let whole = harness.ctx.content_rect();
+            let all = harness.query_all(By::new().predicate(|node| {
+                matches!(node.role(), Role::Button | Role::Label | Role::RadioButton)
+            }));
+            let mut shown = 0;
+            for node in all {
+                let (rect, name) = (node.rect(), node.accesskit_node().label());
+                // What is scrolled to stands below until then; tabs are scrolled across.
+                if whole.y_range().contains(rect.center().y) && rect.top() > 80.0 {
+                    let is_inside = rect.left() >= 0.0 && rect.right() <= whole.right();
+                    assert!(is_inside, "{size:?} {key:?}: {name:?} {rect}");
+                    shown += 1;
+                }
+            }
+            assert!(
+                shown > 4 && pressed(&harness).len() > before,
+                "{size:?} {key:?}"
+            );
         }
     }
 }

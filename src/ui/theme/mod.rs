@@ -262,6 +262,21 @@ pub fn is_small(size: Vec2) -> bool {
     size.x < SMALL_WINDOW.x || size.y < SMALL_WINDOW.y
 }
 
+/// The room that a dialog has in the window, in points: it leaves the least at the edges of a small one.
+#[must_use]
+pub fn room_of_dialog(ctx: &egui::Context) -> Vec2 {
+    let window = ctx.content_rect().size();
+    let margin = if is_small(window) {
+        SMALL_DIALOG_MARGIN
+    } else {
+        HELP_MARGIN
+    };
+    window - Vec2::splat(margin)
+}
+
+/// The room around a dialog in a small window, with its frame, in points.
+const SMALL_DIALOG_MARGIN: f32 = 32.0;
+
 /// The height of what is pressed where a mouse points, in points.
 const POINTED_AT: f32 = 20.0;
 
