@@ -1,25 +1,23 @@
 //! The window around the views: its panels and menus, and what happens in a frame.
 
-use std::path::PathBuf;
-
-use egui::{
-    Align, CentralPanel, Context, Id, Layout, Panel, RawInput, Rect, RichText, Ui, UiBuilder,
-};
+use egui::{CentralPanel, Context, Panel, RawInput, Rect, Ui, UiBuilder};
 
 use super::app::left::Left;
 use super::app::{App, Heading};
-use super::commands::{self, COMMANDS, Command, Group, OPEN, help, search};
+use super::commands::{self, Command, help, search};
 use super::theme::{self, Palette};
 use super::tiles::Wish;
 use super::views::{self, ViewContext, heading};
 use super::widgets::bottom::{Bar, presented};
 use super::widgets::search::Outcome;
 use super::widgets::shares::Energy;
-use super::widgets::{at_right, covered, focus, layouts, menus, options, spotlight, still};
+use super::widgets::{covered, focus, menus, spotlight, still};
 use bxdf_study::cursor::Cursor;
 use bxdf_study::lessons::Cover;
 use bxdf_study::session::{SHARES, ViewId};
 use bxdf_study::views::Options;
+
+mod top;
 
 impl App {
     fn show_view(&mut self, ui: &mut Ui, view: ViewId, palette: &Palette) {
@@ -119,116 +117,11 @@ impl App {
         self.keep_scenes(ui);
     }
 
-    /// The bar at the top: the menu of files, the arrangements, and what is of the whole window.
-    fn show_top(&mut self, ui: &mut Ui) {
-        let mut wished = None;
-        let has_words = ui.available_width() >= theme::WORDS_WIDTH;
-        let height = theme::TOP_BAR_HEIGHT;
-        let room = egui::vec2(ui.available_width(), height);
-        ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
-            ui.label(RichText::new("BRDF Explorer").heading());
-            wished = self.file_menu(ui);
-            wished = self.edit_menu(ui).or(wished);
-            ui.separator();
-            let room = self.room_of_views();
-            layouts::arrangements(ui, &mut self.session.views, room, has_words);
-            if layouts::learn(
-                ui,
-                self.is_learning(),
-                has_words,
-                &commands::LEARN.hint(ui.ctx()),
-            ) {
-                wished = Some(&commands::LEARN);
-            }
-            if commands::FOUR_KINDS.button(ui, self) {
-                wished = Some(&commands::FOUR_KINDS);
-            }
-            let opened = layouts::menu(ui, &mut self.session.views, room);
-            self.notice.report(opened);
-            let icons = Id::unique("icons of the top bar");
-            let gap = ui.spacing().item_spacing.x;
-            let free = (ui.available_width() - at_right::width(ui, icons) - 2.0 * gap).max(0.0);
-            let field = free.min(theme::SEARCH_FIELD_WIDTH);
-            ui.add_space(free - field);
-            if commands::SEARCH.field_button(ui, self, field) {
-                wished = Some(&commands::SEARCH);
-            }
-            at_right::show(ui, icons, |ui| {
-                let signs = [
-                    (&commands::UNDO, "⟲"),
-                    (&commands::REDO, "⟳"),
-                    (&commands::HELP, "?"),
-                    (&commands::PRESENT, "🖵"),
-                ];
-                for (command, sign) in signs {
-                    if command.icon(ui, self, sign) {
-                        wished = Some(command);
-                    }
-                }
-                options::display_menu(ui, &mut self.labels);
-            });
-        });
-        self.run(wished, ui.ctx());
-    }
-
     /// Runs what a button asks for.
     pub(super) fn run(&mut self, wished: Option<&'static Command>, ctx: &Context) {
         if let Some(command) = wished {
             command.try_run(self, ctx);
         }
-    }
-
-    /// The menu of edits. Returns the command chosen.
-    fn edit_menu(&self, ui: &mut Ui) -> Option<&'static Command> {
-        let mut wished = None;
-        ui.menu_button("Edit", |ui| {
-            let of_edits = |command: &&&Command| command.group == Group::Edit;
-            for command in COMMANDS.iter().filter(of_edits) {
-                if command.menu_item(ui, self) {
-                    wished = Some(*command);
-                }
-            }
-        });
-        wished
-    }
-
-    /// The menu of files. Returns the command chosen.
-    fn file_menu(&mut self, ui: &mut Ui) -> Option<&'static Command> {
-        let (mut wished, mut recent) = (None, None);
-        ui.menu_button("File", |ui| {
-            let of_files = |command: &&&Command| command.group == Group::File;
-            for command in COMMANDS.iter().filter(of_files) {
-                if command.menu_item(ui, self) {
-                    wished = Some(*command);
-                }
-                if command.id == OPEN.id {
-                    recent = self.recent_menu(ui);
-                }
-            }
-        });
-        if let Some(path) = recent {
-            self.open(&path, ui.ctx());
-        }
-        wished
-    }
-
-    /// The files opened or saved last. Returns the one chosen.
-    fn recent_menu(&self, ui: &mut Ui) -> Option<PathBuf> {
-        let recent = self.recent_files();
-        let mut chosen = None;
-        ui.add_enabled_ui(!recent.is_empty(), |ui| {
-            ui.menu_button("Open recent", |ui| {
-                for path in recent {
-                    let name = path.file_name().unwrap_or(path.as_os_str());
-                    let item = ui.button(name.to_string_lossy());
-                    if item.on_hover_text(path.display().to_string()).clicked() {
-                        chosen = Some(path.clone());
-                        ui.close();
-                    }
-                }
-            });
-        });
-        chosen
     }
 
     /// The windows above all else: the help, the search of the commands, and what a key did, over the `views`.
@@ -276,7 +169,7 @@ impl App {
     fn show_bar(&mut self, ui: &mut Ui, before: Option<Cursor>, palette: &Palette) {
         let margin = egui::Margin::symmetric(8, 0);
         Panel::bottom("bar")
-            .exact_size(theme::BAR_HEIGHT)
+            .exact_size(Bar::height(ui))
             .frame(egui::Frame::side_top_panel(ui.style()).inner_margin(margin))
             .show(ui, |ui| {
                 if self.is_presenting() {
@@ -306,9 +199,14 @@ impl App {
     fn show_views(&mut self, ui: &mut Ui, palette: &Palette) {
         let views = self.session.views.clone();
         let mut tiles = self.tiles.take().unwrap_or_default();
-        let shown = tiles.show(ui, &views, &mut |ui, view| {
+        let is_small = self.is_small();
+        let shown = tiles.show(ui, &views, is_small, &mut |ui, view| {
             self.show_view(ui, view, palette);
         });
+        if is_small {
+            // What is done by keys is done to the one that is seen.
+            self.clicked = tiles.seen();
+        }
         self.tiles = Some(tiles);
         if let Some(layout) = shown.layout {
             self.session.views.arrange(&layout);
@@ -337,11 +235,12 @@ impl eframe::App for App {
             ui.ctx().request_repaint();
         }
         let palette = Palette::of(ui.ctx().theme());
-        let is_small = ui.available_size().min(theme::USABLE_SIZE) != theme::USABLE_SIZE;
-        if is_small && self.only.is_none() {
+        let size = ui.available_size();
+        if size.min(theme::USABLE_SIZE) != theme::USABLE_SIZE && self.only.is_none() {
             CentralPanel::default().show(ui, |ui| ui.label("Enlarge the window"));
             return;
         }
+        self.fit_to(size, ui.ctx());
         self.session.keep_allowed(self.history.present());
         self.answers.begin_frame(&self.session);
         self.state.begin_frame(&self.session);
@@ -366,15 +265,17 @@ impl eframe::App for App {
         if saved.is_some_and(|saved| !saved.show(ui, &self.pool)) {
             self.saved = None;
         }
-        if !self.is_presenting() {
+        if !self.is_presenting() && !self.is_small() {
             self.show_side(ui, &palette);
         }
+        let beside_bars = ui.available_rect_before_wrap();
         self.show_lessons(ui, &palette);
         let frame = egui::Frame::NONE.fill(palette.background).inner_margin(6.0);
         let views = CentralPanel::no_frame()
             .frame(frame)
             .show(ui, |ui| self.show_views(ui, &palette));
         self.room_of_views = views.response.rect;
+        self.show_drawer(ui.ctx(), beside_bars, &palette);
         self.show_picker(ui.ctx(), views.response.rect);
         self.show_windows(ui.ctx(), views.response.rect);
         spotlight::show(ui.ctx(), &palette);

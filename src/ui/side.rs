@@ -1,8 +1,10 @@
 //! The panel at the side: the materials, the parameters of the selected one, and the picker beside them.
 
-use egui::{Context, Id, Panel, Rect, RichText, ScrollArea, Ui};
+use egui::{
+    Area, Color32, Context, Id, Order, Panel, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder,
+};
 
-use super::app::App;
+use super::app::{App, Drawer};
 use super::commands;
 use super::theme::{self, Palette};
 use super::widgets::chevron::{self, Points};
@@ -32,6 +34,40 @@ impl App {
                     self.show_whole(ui, palette);
                 }
             });
+    }
+
+    /// The panel over the view of a small window, in this `room`, while it is asked for. Pressed beside it, or with Escape, it
+    /// goes.
+    pub(super) fn show_drawer(&mut self, ctx: &Context, room: Rect, palette: &Palette) {
+        let is_there = self.is_small() && !self.is_presenting() && !self.is_side_folded(ctx);
+        if !is_there {
+            return;
+        }
+        let width = theme::SIDE_WIDTH.min(room.width() - theme::BESIDE_DRAWER);
+        let place = room.with_max_x(room.left() + width);
+        let drawer = Area::new(Id::unique("drawer"))
+            .order(Order::Middle)
+            .movable(false)
+            .constrain(false)
+            .fixed_pos(room.min)
+            .show(ctx, |ui| {
+                // Tab does not stop at either.
+                let pressed = Sense::CLICK | Sense::DRAG;
+                let beside = ui.allocate_rect(room, pressed);
+                let shade = Color32::from_black_alpha(theme::DRAWER_SHADE);
+                ui.painter().rect_filled(room, 0.0, shade);
+                ui.interact(place, ui.scope_id().with("panel"), pressed);
+                ui.painter()
+                    .rect_filled(place, 0.0, ui.visuals().panel_fill);
+                let inner = egui::Frame::side_top_panel(ui.style()).inner_margin;
+                let mut panel = ui.new_child(UiBuilder::new().max_rect(place - inner));
+                panel.set_clip_rect(place);
+                self.show_whole(&mut panel, palette);
+                beside.clicked()
+            });
+        if drawer.inner || self.is_drawer_escaped(ctx) {
+            self.drawer = Drawer::Closed;
+        }
     }
 
     /// The picker, while it is shown, over the `views`.

@@ -42,6 +42,7 @@ mod render;
 mod scales;
 mod screenshots;
 mod sessions;
+mod small;
 mod tables;
 mod tiles;
 mod typing;

@@ -37,14 +37,15 @@ const COMPARED: [&str; 3] = ["car_paint", super::badges::BRIGHT, "rough_conducto
 /// Pictures of the whole window: name, materials, ready layout, size in points, pixels per point.
 type Window = (&'static str, &'static [&'static str], usize, [u32; 2], f32);
 
-/// The start, the named materials with one of several lobes chosen, and comparisons in every size that must do.
-const WINDOWS: [Window; 6] = [
+/// The start, the named materials with one of several lobes chosen, comparisons in every size that must do, and a phone.
+const WINDOWS: [Window; 7] = [
     ("window", &["rough_conductor"], 0, [1280, 800], 1.0),
     ("materials", &["car_paint"], 0, [1280, 800], 1.0),
     ("three", &THREE, 0, [1280, 800], 1.0),
     ("eight", &EIGHT, 0, [1024, 640], 2.0),
     ("compare", &COMPARED, 1, [1024, 640], 1.0),
     ("tradeoff", &["gold"], 4, [1280, 800], 1.0),
+    ("phone", &["rough_conductor"], 0, [390, 844], 1.0),
 ];
 
 /// The limit on the stored pictures, all together.

@@ -67,21 +67,11 @@ impl Query for Accuracy {
     const PACE: Pace = Pace::Short;
 
     fn answer(&self, of: &Subject<'_>, detail: Detail, is_wanted: IsWanted<'_>) -> Option<Report> {
-        self.answer_in_parts(of, detail, is_wanted, &|_, _| {})
-    }
-
-    fn answer_in_parts(
-        &self,
-        of: &Subject<'_>,
-        detail: Detail,
-        is_wanted: IsWanted<'_>,
-        tell: Tell<'_, Report>,
-    ) -> Option<Report> {
         let request = Request {
             held: self.held,
             families: self.families.clone(),
             stopwatch: Stopwatch::NoClock,
         };
-        request.answer_in_parts(of, detail, is_wanted, tell)
+        request.answer(of, detail, is_wanted)
     }
 }

@@ -31,9 +31,13 @@ impl App {
     pub fn open_lesson(&mut self, lesson: &Lesson, step: usize) {
         let mut room = self.room_of_views();
         if !self.learning.is_seen {
-            // The panel will stand beside them.
-            let [width, _] = &mut room;
-            *width -= theme::LESSON_WIDTH.min(*width * theme::LESSON_SHARE);
+            // The panel will stand beside them, or below.
+            let [width, height] = &mut room;
+            if self.is_lesson_below(*width) {
+                *height *= 1.0 - theme::LESSON_HEIGHT_SHARE;
+            } else {
+                *width -= theme::LESSON_WIDTH.min(*width * theme::LESSON_SHARE);
+            }
         }
         self.learning.is_shown = true;
         self.learning.at = At::of(lesson.clone(), step, room);
@@ -155,6 +159,14 @@ impl App {
             return;
         }
         let is_large = self.is_presenting();
+        if self.is_lesson_below(ui.available_width()) {
+            let height = ui.available_height() * theme::LESSON_HEIGHT_SHARE;
+            Panel::bottom("lesson below")
+                .resizable(false)
+                .exact_size(height)
+                .show(ui, |ui| self.show_lesson(ui, palette, theme::LESSON_TEXT));
+            return;
+        }
         let (id, width, size) = if is_large {
             (
                 "large lesson",
@@ -168,14 +180,22 @@ impl App {
         Panel::right(id)
             .resizable(false)
             .exact_size(width.min(share))
-            .show(ui, |ui| {
-                ui.add_space(4.0);
-                if self.learning.at.is_some() {
-                    self.show_step(ui, palette, size);
-                } else {
-                    self.show_list(ui, palette);
-                }
-            });
+            .show(ui, |ui| self.show_lesson(ui, palette, size));
+    }
+
+    /// Whether the panel stands below the view, in a room of this `width`: there is none beside it.
+    fn is_lesson_below(&self, width: f32) -> bool {
+        self.is_small() && width < theme::SMALL_WINDOW.x
+    }
+
+    /// The step at hand, in letters of this `size`, or the list.
+    fn show_lesson(&mut self, ui: &mut Ui, palette: &Palette, size: f32) {
+        ui.add_space(4.0);
+        if self.learning.at.is_some() {
+            self.show_step(ui, palette, size);
+        } else {
+            self.show_list(ui, palette);
+        }
     }
 
     fn show_list(&mut self, ui: &mut Ui, palette: &Palette) {

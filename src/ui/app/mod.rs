@@ -39,6 +39,7 @@ use left::Left;
 use linking::Links;
 use looking::Looking;
 use readings::Reading;
+pub(super) use side::Drawer;
 
 mod asking;
 mod export;
@@ -95,6 +96,8 @@ pub struct App {
     pub(super) list: MaterialList,
     /// What of the panel at the side is folded away.
     pub(super) side: Side,
+    /// Whether that panel lies over the view.
+    pub(super) drawer: Drawer,
     /// How large the labels of plots are.
     pub(super) labels: LabelSize,
     pub(super) notice: Notice,
@@ -166,6 +169,7 @@ impl App {
             components: Components::default(),
             list: MaterialList::default(),
             side: Side::default(),
+            drawer: Drawer::default(),
             labels: LabelSize::default(),
             last_changed: None,
             notice: Notice::default(),

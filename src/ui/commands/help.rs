@@ -72,11 +72,7 @@ const GESTURES: [(&str, &[(&str, &str)]); 5] = [
 #[must_use]
 pub fn show(ctx: &Context) -> bool {
     let modal = Modal::new(Id::unique("help")).show(ctx, |ui| {
-        ui.set_width(
-            theme::HELP_SIZE
-                .x
-                .min(ctx.content_rect().width() - theme::HELP_MARGIN),
-        );
+        ui.set_width(theme::HELP_SIZE.x.min(theme::room_of_dialog(ctx).x));
         ui.heading("Keyboard and mouse");
         let height = ctx.content_rect().height() - 2.0 * theme::HELP_MARGIN;
         ScrollArea::vertical()
@@ -111,6 +107,11 @@ fn contents(ui: &mut Ui) {
 fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
     ui.add_space(6.0);
     ui.label(RichText::new(title).strong());
+    if ui.available_width() < 2.0 * theme::HELP_KEYS_WIDTH {
+        // What is done stands below its keys.
+        ui.vertical(rows);
+        return;
+    }
     Grid::new(title)
         .num_columns(2)
         .min_col_width(theme::HELP_KEYS_WIDTH)

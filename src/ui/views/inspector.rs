@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::context::ViewContext;
 use crate::theme;
-use crate::widgets::{choice, deltas as widgets_deltas, draw, still};
+use crate::widgets::{choice, deltas as widgets_deltas, draw, small, still};
 use bxdf::Side;
 use bxdf_lab::analysis::half_difference::{HalfDifference, Spherical, half_difference};
 use bxdf_lab::analysis::hemisphere::Quantity;
@@ -98,7 +98,8 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
             }
             let hint = "Copy the table as comma-separated values, with all digits";
             // Nobody can click in a picture.
-            if !cx.state.is_picture && ui.small_button("Copy").on_hover_text(hint).clicked() {
+            let copy = small::button(ui, "Copy");
+            if !cx.state.is_picture && ui.add(copy).on_hover_text(hint).clicked() {
                 ui.ctx().copy_text(report.csv());
             }
         });

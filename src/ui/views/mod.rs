@@ -2,7 +2,7 @@
 
 use egui::{Label, RichText, Ui};
 
-use crate::widgets::choice;
+use crate::widgets::{choice, small};
 use bxdf_lab::analysis::reflectance::has_flux;
 use bxdf_study::session::Session;
 use bxdf_study::views::{OWN_SECTION, Options};
@@ -66,7 +66,7 @@ fn set_own_section(ui: &mut Ui, session: &Session, options: &mut Options) {
         choice::angle(ui, ("Own section", hint), azimuth, &OWN_SECTION);
         let hint = "Show the section of the other views again";
         is_own = !ui
-            .small_button("As the others")
+            .add(small::button(ui, "As the others"))
             .on_hover_text(hint)
             .clicked();
     });

@@ -5,7 +5,7 @@ use egui::{Align2, Button, Rect, RichText, Ui, UiBuilder};
 
 use super::context::ViewContext;
 use crate::theme;
-use crate::widgets::{choice, draw, options};
+use crate::widgets::{choice, draw, options, small as small_widget};
 use bxdf_study::format;
 use bxdf_study::session::{Curves, EntryId};
 use bxdf_study::views::{Arrangement, Scale, ScaleChoice};
@@ -215,7 +215,10 @@ pub(super) fn offer_peaks<O>(
         format::value(100.0 * share)
     );
     above.label(RichText::new(text).small());
-    let button = above.small_button(ScaleChoice::EachToPeak.title());
+    let button = above.add(small_widget::button(
+        &above,
+        ScaleChoice::EachToPeak.title(),
+    ));
     let button = button.on_hover_text("Show every lobe in the same size, so that shapes compare");
     named(ui, cx, &button, "Small lobes");
     if button.clicked() {

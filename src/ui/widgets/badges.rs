@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use egui::{Button, Color32, Response, RichText, Role, Ui, WidgetInfo};
+use egui::{Color32, Response, RichText, Role, Ui, WidgetInfo};
 
-use super::covered;
+use super::{covered, small};
 use crate::theme::{self, Palette};
 use bxdf::Material;
 use bxdf_lab::contract::{LawId, LawReport, PHYSICAL, PhysicalLaws, Status, Witness};
@@ -115,7 +115,7 @@ impl Badges<'_> {
             _ => format!("Laws of {}: {} {}", self.title, law.title(), finding.word()),
         };
         let text = RichText::new(finding.symbol()).color(finding.color(palette));
-        let badge = ui.add(Button::new(text).small().frame(false));
+        let badge = ui.add(small::button(ui, text).frame(false));
         badge.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
         let mut hint = String::new();
         for law in PHYSICAL {
@@ -146,7 +146,9 @@ impl Badges<'_> {
         ui.horizontal_wrapped(|ui| {
             let spacing = ui.spacing_mut();
             (spacing.item_spacing, spacing.button_padding) = theme::BADGE_SPACING;
-            spacing.interact_size.y = theme::BADGE_HEIGHT;
+            if spacing.interact_size.y < theme::TOUCHED {
+                spacing.interact_size.y = theme::BADGE_HEIGHT;
+            }
             for law in PHYSICAL {
                 // No law, but what kind of surface it is: on a line of its own, so that all stay where they are.
                 if law == LawId::Isotropy {
@@ -170,7 +172,7 @@ impl Badges<'_> {
         };
         let text = RichText::new(format!("{} {label}", finding.symbol()));
         let text = text.small().color(finding.color(palette));
-        let button = Button::new(text).small().frame_when_inactive(false);
+        let button = small::button(ui, text).frame_when_inactive(false);
         let badge = ui.add(button);
         let name = format!("{} of {}: {}", law.title(), self.title, finding.word());
         badge.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
@@ -242,16 +244,19 @@ fn remedy(
     let sentence = energy.sentence()?;
     ui.label(RichText::new(sentence).small().color(color));
     ui.horizontal(|ui| {
-        let small = |text| Button::new(RichText::new(text).small()).small();
+        let text = |text| RichText::new(text).small();
         let go = ui
-            .add(small("Go there"))
+            .add(small::button(ui, text("Go there")))
             .on_hover_text("Hold the light where most of it leaves");
         // An upper limit of what leaves, where there is one: then no more leaves than arrives.
         let largest = 1.0 + energy.worst + energy.error;
         let scaled = material.with_weights_over(largest).ok();
         let scaled = scaled.filter(|_| largest.is_finite());
         let scale = ui
-            .add_enabled(scaled.is_some(), small("Scale the weights"))
+            .add_enabled(
+                scaled.is_some(),
+                small::button(ui, text("Scale the weights")),
+            )
             .on_hover_text(format!(
                 "Divide the weight of every lobe by {}, the largest share of the arriving light that leaves",
                 format::value(largest)

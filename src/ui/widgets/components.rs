@@ -1,10 +1,11 @@
 //! The components of the material: what each is, its weight in a mixture, its parameters.
 
 use egui::collapsing_header::CollapsingState;
-use egui::{Align, Button, Label, Layout, Response, RichText, Role, Ui, WidgetInfo};
+use egui::{Align, Label, Layout, Response, RichText, Role, Ui, WidgetInfo};
 
 use super::chevron::{self, Points};
 use super::params::{self, Ties};
+use super::small;
 use bxdf::Catalogue;
 use bxdf::material::{MAX_COMPONENTS, library};
 use bxdf::param::{self, Value};
@@ -150,7 +151,7 @@ fn reset(ui: &mut Ui, material: &mut Material) {
 /// The button at the end of a row that resets all parameters of `what`. Returns whether it is clicked.
 fn reset_all(ui: &mut Ui, what: &str, is_edited: bool, hint: &str) -> bool {
     let reset = ui
-        .add_enabled(is_edited, Button::new("↺").small().frame(false))
+        .add_enabled(is_edited, small::button(ui, "↺").frame(false))
         .on_hover_text(hint);
     let name = format!("Reset {what}");
     reset.widget_info(|| WidgetInfo::labeled(Role::Button, is_edited, &name));
@@ -220,7 +221,7 @@ fn show_one_of_many(
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let remove = ui
-                .add(Button::new("✖").small().frame(false))
+                .add(small::button(ui, "✖").frame(false))
                 .on_hover_text("Remove this lobe");
             let name = format!("Remove lobe {ordinal}, {}", model.title);
             remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));

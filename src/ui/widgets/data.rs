@@ -1,7 +1,8 @@
 //! The row of a parameter whose values come from a file, or were baked.
 
-use egui::{Align, Button, Label, Layout, RichText, Role, Ui, WidgetInfo};
+use egui::{Align, Label, Layout, RichText, Role, Ui, WidgetInfo};
 
+use super::small;
 use crate::theme::Palette;
 use bxdf::resource::{Content, Origin};
 use bxdf::{ParamSpec, Resource};
@@ -81,7 +82,7 @@ pub(super) fn show(
         ui.label(spec.label()).on_hover_text(&words.hint);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let button = |ui: &mut Ui, icon: &str, verb: &str, hint: &str| {
-                let button = Button::new(icon).small().frame(false);
+                let button = small::button(ui, icon).frame(false);
                 let response = ui.add(button).on_hover_text(hint);
                 let name = format!("{verb} {name}");
                 response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));

@@ -1,7 +1,8 @@
 //! The window in which a figure is chosen: what for, in which theme, with which title; and how it will look.
 
 use egui::{
-    Checkbox, Context, Id, Modal, Rect, RichText, Sense, TextEdit, TextureHandle, Ui, Vec2, vec2,
+    Checkbox, Context, Id, Modal, Rect, RichText, ScrollArea, Sense, TextEdit, TextureHandle, Ui,
+    Vec2, vec2,
 };
 
 use crate::theme;
@@ -43,7 +44,19 @@ pub fn show(
     let modal = Modal::new(Id::unique("figure")).show(ctx, |ui| {
         ui.heading(format!("Figure of {name}"));
         ui.add_space(4.0);
-        let room = ctx.content_rect().size() - Vec2::splat(theme::HELP_MARGIN);
+        let room = theme::room_of_dialog(ctx);
+        if theme::is_small(ctx.content_rect().size()) {
+            ui.set_width(room.x.min(theme::PREVIEW.x));
+            ScrollArea::vertical()
+                .max_height(room.y - 2.0 * theme::CHROME)
+                .show(ui, |ui| {
+                    choices(ui, choice, title, automatic);
+                    let width = ui.available_width();
+                    let size = vec2(width, width * theme::PREVIEW.y / theme::PREVIEW.x);
+                    show_preview(ui, size, preview);
+                });
+            return buttons(ui);
+        }
         let picture = theme::PREVIEW.min(room - vec2(theme::CHOICES_WIDTH, 2.0 * theme::CHROME));
         ui.horizontal_top(|ui| {
             ui.vertical(|ui| {
@@ -135,7 +148,7 @@ const FADED: u8 = 140;
 
 fn buttons(ui: &mut Ui) -> Outcome {
     let mut outcome = Outcome::Open;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let pictures = FORMATS.iter().filter(|spec| spec.format.is_picture());
         for spec in pictures {
             let button = ui.button(format!("{}…", spec.title));

@@ -1,7 +1,9 @@
 //! The first steps: captions over the views, each of which goes on once its step is done.
 
-use egui::{Align2, Area, Context, Frame, Id, Order, Rect, vec2};
+use egui::{Align2, Area, Context, Frame, Id, Order, Rect, Ui, vec2};
 
+use super::small;
+use crate::theme;
 use bxdf::material::library;
 use bxdf_study::session::Session;
 
@@ -42,6 +44,9 @@ const LAST: &str =
 
 /// From the lower edge of the views, in points.
 const ABOVE_EDGE: f32 = 44.0;
+
+/// The least room at either side, in points.
+const MARGIN: f32 = 12.0;
 
 /// Where somebody is in the steps.
 pub struct FirstSteps {
@@ -85,18 +90,43 @@ impl FirstSteps {
             .fixed_pos(views.center_bottom() + vec2(0.0, -ABOVE_EDGE))
             .show(ctx, |ui| {
                 Frame::popup(ui.style()).show(ui, |ui| {
-                    ui.horizontal(|ui| {
-                        if step.is_some() {
-                            ui.weak(format!("{} of {}", self.index + 1, STEPS.len()));
-                        }
+                    if views.width() < theme::SMALL_WINDOW.x {
+                        ui.set_max_width(views.width() - 2.0 * MARGIN);
                         ui.label(text);
-                        let word = if step.is_some() { "Skip" } else { "Done" };
-                        let hint = "Leave the first steps: Shift+F1, or \"First steps\" in the search, brings them back";
-                        is_left = ui.small_button(word).on_hover_text(hint).clicked();
-                    });
+                        ui.horizontal(|ui| {
+                            self.show_place(ui);
+                            is_left = self.show_leave(ui);
+                        });
+                    } else {
+                        ui.horizontal(|ui| {
+                            self.show_place(ui);
+                            ui.label(text);
+                            is_left = self.show_leave(ui);
+                        });
+                    }
                 });
             });
         is_left
+    }
+
+    /// The number of the step.
+    fn show_place(&self, ui: &mut Ui) {
+        if self.index < STEPS.len() {
+            ui.weak(format!("{} of {}", self.index + 1, STEPS.len()));
+        }
+    }
+
+    /// The button that leaves the steps. Returns whether it is clicked.
+    fn show_leave(&self, ui: &mut Ui) -> bool {
+        let word = if self.index < STEPS.len() {
+            "Skip"
+        } else {
+            "Done"
+        };
+        let hint =
+            "Leave the first steps: Shift+F1, or \"First steps\" in the search, brings them back";
+        let button = ui.add(small::button(ui, word));
+        button.on_hover_text(hint).clicked()
     }
 }
 

@@ -11,6 +11,11 @@ const STEP: f32 = 9.0;
 /// A label further than this from what it names is joined to it by a line, in points.
 const NEAR: f32 = 26.0;
 
+/// The room that a line takes at a point of it, and how far apart these points are, in points.
+const LINE: Vec2 = Vec2::splat(7.0);
+/// See [`LINE`].
+const LINE_STEP: f32 = 5.0;
+
 /// How far a label may stand from what it names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
@@ -55,6 +60,14 @@ impl Labels {
     /// Keeps labels off `rect`.
     pub fn keep_off(&mut self, rect: Rect) {
         self.taken.push(rect);
+    }
+
+    /// Keeps labels off a line between these points.
+    pub fn keep_off_line(&mut self, [from, to]: [Pos2; 2]) {
+        let steps = ((to - from).length() / LINE_STEP).ceil().max(1.0);
+        let along = |step: f32| Rect::from_center_size(from.lerp(to, step / steps), LINE);
+        self.taken
+            .extend((0..=steps as usize).map(|step| along(step as f32)));
     }
 
     /// A place for a label of this size beside `point`, on the side `towards` if there is room; over the point if that has
@@ -171,5 +184,25 @@ mod tests {
         let [from, to] = far.unwrap().leader.unwrap();
         assert_eq!(from, pos2(150.0, 100.0));
         assert!(far.unwrap().rect.expand(0.1).contains(to));
+    }
+
+    /// The share at the tip of an arrow, where what lies beyond the tip is taken.
+    #[test]
+    fn no_label_lies_over_a_line() {
+        let (foot, tip) = (pos2(100.0, 100.0), pos2(140.0, 60.0));
+        for off_line in [false, true] {
+            let mut labels = Labels::within(BOUNDS);
+            labels.keep_off(Rect::from_center_size(
+                tip + vec2(24.0, -24.0),
+                vec2(40.0, 40.0),
+            ));
+            if off_line {
+                labels.keep_off_line([foot, tip]);
+            }
+            let size = vec2(80.0, 20.0);
+            let place = labels.place(tip, size, tip - foot, Reach::Far).unwrap();
+            let covers = |step: u8| place.rect.contains(foot.lerp(tip, f32::from(step) / 40.0));
+            assert_eq!((0..=40).any(covers), !off_line, "{place:?}");
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use egui::{Button, Ui};
 
+use super::menus;
 use bxdf::error::Result;
 use bxdf_study::session::{MAX_VIEWS, READY_LAYOUTS, Views};
 use bxdf_study::views::VIEWS;
@@ -40,24 +41,26 @@ pub fn learn(ui: &mut Ui, is_learning: bool, has_words: bool, hint: &str) -> boo
 pub fn menu(ui: &mut Ui, views: &mut Views, room: [f32; 2]) -> Result<()> {
     let mut opened = Ok(());
     let menu = ui.menu_button("Views", |ui| {
-        ui.weak("Add a view");
-        for view in &VIEWS {
-            let button = ui.add_enabled(views.has_room(), Button::new(view.title));
-            ui.ctx().accesskit_node_builder(button.id, |node| {
-                node.set_label(format!("Add {}", view.title));
-            });
-            let hint = if views.first(view).is_some() {
-                format!("Another one. {}", view.what_you_see)
-            } else {
-                view.what_you_see.to_owned()
-            };
-            let button = button
-                .on_hover_text(hint)
-                .on_disabled_hover_text(format!("{MAX_VIEWS} views are open, and no more fit"));
-            if button.clicked() {
-                opened = views.add(view, room).map(|_| ());
+        menus::entries(ui, |ui| {
+            ui.weak("Add a view");
+            for view in &VIEWS {
+                let button = ui.add_enabled(views.has_room(), Button::new(view.title));
+                ui.ctx().accesskit_node_builder(button.id, |node| {
+                    node.set_label(format!("Add {}", view.title));
+                });
+                let hint = if views.first(view).is_some() {
+                    format!("Another one. {}", view.what_you_see)
+                } else {
+                    view.what_you_see.to_owned()
+                };
+                let button = button
+                    .on_hover_text(hint)
+                    .on_disabled_hover_text(format!("{MAX_VIEWS} views are open, and no more fit"));
+                if button.clicked() {
+                    opened = views.add(view, room).map(|_| ());
+                }
             }
-        }
+        });
     });
     menu.response.on_hover_text(
         "Views to add; drag a view by its name onto another or beside it, and double-click the name to give it all the room",

@@ -38,6 +38,7 @@ pub mod said;
 pub mod saved;
 pub mod search;
 pub mod shares;
+pub mod small;
 pub mod spotlight;
 pub mod status;
 pub mod steps;

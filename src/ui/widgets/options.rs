@@ -7,10 +7,11 @@ use crate::widgets::number::Number;
 use bxdf_study::session::{SECTION_PHI, Session};
 use bxdf_study::store::LabelSize;
 
-/// Dark, light, or as the system has it; how large the labels of plots are; and whether anything moves by itself.
-pub fn display_menu(ui: &mut Ui, labels: &mut LabelSize) {
+/// Dark, light, or as the system has it; how large the labels of plots are; and whether anything moves by itself. The button of the menu
+/// shows `text`.
+pub fn display_menu(ui: &mut Ui, text: &str, labels: &mut LabelSize) {
     let mut preference = ui.options(|options| options.theme_preference);
-    let menu = ui.menu_button("🌙", |ui| {
+    let menu = ui.menu_button(text, |ui| {
         for (choice, name) in [
             (ThemePreference::System, "As the system"),
             (ThemePreference::Light, "Light"),

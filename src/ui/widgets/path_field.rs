@@ -75,7 +75,7 @@ impl PathField {
     /// The window of the dialog.
     pub fn show(&mut self, ctx: &Context, look: Look<'_>) -> Outcome {
         let modal = Modal::new(Id::unique("path")).show(ctx, |ui| {
-            ui.set_width(theme::PATH_WIDTH.min(ctx.content_rect().width() - theme::HELP_MARGIN));
+            ui.set_width(theme::PATH_WIDTH.min(theme::room_of_dialog(ctx).x));
             self.contents(ui, look)
         });
         match modal.inner {

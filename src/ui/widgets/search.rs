@@ -51,7 +51,7 @@ impl Search {
         entry: impl Fn(&T) -> Entry,
     ) -> Outcome<T> {
         let modal = Modal::new(Id::unique("search")).show(ctx, |ui| {
-            ui.set_width(theme::SEARCH_SIZE.x);
+            ui.set_width(theme::SEARCH_SIZE.x.min(theme::room_of_dialog(ctx).x));
             let rows = hits::take_rows(ui);
             let field = TextEdit::singleline(&mut self.wanted)
                 .id(field_id())

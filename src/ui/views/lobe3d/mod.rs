@@ -12,7 +12,7 @@ use crate::scene3d::{self, Backdrop, Projection as _, SceneView};
 use crate::theme::{self, Dash, rgba};
 use crate::widgets::labels::Labels;
 use crate::widgets::legend::Swatch;
-use crate::widgets::{draw, reset, still};
+use crate::widgets::{draw, reset, small, still};
 use axes::Solids;
 use bxdf::math::frame;
 use bxdf_study::cursor::Cursor;
@@ -265,7 +265,11 @@ fn move_camera(ui: &Ui, response: &egui::Response, session: &mut Session) {
 fn home_buttons(ui: &mut Ui, session: &mut Session) {
     for home in HomeView::ALL {
         let hint = "Look from here; double-click the view to reset, drag to orbit, Shift-drag to pan, scroll to zoom";
-        if ui.small_button(home.label()).on_hover_text(hint).clicked() {
+        if ui
+            .add(small::button(ui, home.label()))
+            .on_hover_text(hint)
+            .clicked()
+        {
             session.camera.home(home);
         }
     }

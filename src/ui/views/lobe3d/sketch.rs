@@ -50,6 +50,7 @@ impl Sketch<'_> {
     /// Everything, what is worth most first: what comes later stands where there is room.
     pub(super) fn draw(&self, session: &Session, directions: &[Named], drawing: &Drawing) {
         let lobes = &drawing.lobes;
+        self.keep_off_arrows(lobes);
         self.scale(lobes, session);
         if session.show_geometry {
             self.trigonometry(session);
@@ -70,6 +71,17 @@ impl Sketch<'_> {
         }
         if session.show_geometry {
             self.label_grid();
+        }
+    }
+
+    /// Keeps labels off the arrows of deltas: a small cell has little room beside them.
+    fn keep_off_arrows(&self, lobes: &Lobes) {
+        for (_, arrow) in lobes.arrows() {
+            let share = Channel::Luminance.of(arrow.flux);
+            let tip = self.project((arrow.direction * share).as_vec3());
+            if let Some((tip, foot)) = tip.zip(self.project(Vec3::ZERO)) {
+                self.labels.borrow_mut().keep_off_line([foot, tip]);
+            }
         }
     }
 

@@ -5,7 +5,7 @@ use egui::{RichText, ScrollArea, Ui};
 use super::super::context::ViewContext;
 use super::chosen::choose;
 use super::plot;
-use crate::widgets::still;
+use crate::widgets::{small, still};
 use bxdf::Material;
 use bxdf_lab::tradeoff::{Advice, Point, Report, WHOLE, advise};
 use bxdf_study::export::Format;
@@ -71,13 +71,21 @@ pub(super) fn use_or_save(
     }
     if cx.session.material().components() == material.components() {
         let hint = "Save the selected material to a file";
-        if ui.small_button("Save it…").on_hover_text(hint).clicked() {
+        if ui
+            .add(small::button(ui, "Save it…"))
+            .on_hover_text(hint)
+            .clicked()
+        {
             cx.state.wished_file = Some((cx.view, Format::Toml));
         }
         return;
     }
     let hint = "Add it to the list of materials, next to the one measured";
-    if ui.small_button("Use it").on_hover_text(hint).clicked() {
+    if ui
+        .add(small::button(ui, "Use it"))
+        .on_hover_text(hint)
+        .clicked()
+    {
         let mut points = report.families.iter().flat_map(|family| &family.points);
         let of_it = |point: &&Point| point.material.as_ref() == Some(material);
         if let Some(point) = points.find(of_it) {

@@ -2,7 +2,7 @@
 //!
 //! It is one line. What does not fit is behind the button at its end, in the order of `fit::LEAVING`.
 
-use egui::{Align, Layout, Popup, PopupCloseBehavior, TextStyle, Ui};
+use egui::{Align, Layout, Popup, PopupCloseBehavior, TextStyle, Ui, vec2};
 
 use super::choice::width_of;
 use super::directions::{self, Angle};
@@ -23,6 +23,11 @@ const MARK: f32 = 20.0;
 /// The room of a separator, in points.
 const SEPARATOR: f32 = 6.0;
 
+/// The height of the line of the value in a narrow window, in points, and the gap between the angles below it.
+const VALUE_LINE: f32 = 24.0;
+/// See [`VALUE_LINE`].
+const NARROW_GAP: f32 = 4.0;
+
 /// What the button with what does not fit shows.
 const MORE: &str = "…";
 
@@ -37,12 +42,26 @@ pub struct Bar<'a> {
 }
 
 impl Bar<'_> {
+    /// Its height in the room that there is, in points.
+    #[must_use]
+    pub fn height(ui: &Ui) -> f32 {
+        if has_line_of_value(ui) {
+            theme::BAR_HEIGHT + VALUE_LINE + ui.spacing().item_spacing.y
+        } else {
+            theme::BAR_HEIGHT
+        }
+    }
+
     /// The bar; it changes the session.
     pub fn show(&self, ui: &mut Ui, session: &mut Session) {
+        if has_line_of_value(ui) {
+            self.show_lines(ui, session);
+            return;
+        }
         let gap = ui.spacing().item_spacing.x;
-        let more = text_width(ui, MORE) + 2.0 * ui.spacing().button_padding.x + gap;
         let room = ui.available_width() - MARK - 2.0 * (SEPARATOR + gap);
-        let (gone, rest) = fit::left_out(|part| self.width(ui, session, part), room, more);
+        let width = |part| self.width(ui, session, part);
+        let (gone, rest) = fit::left_out(width, room, more_width(ui));
         let is_here = |part: Part| !gone.contains(&part);
         let [least, most] = theme::BAR_RAIL;
         // Half of what is left is for the value.
@@ -80,6 +99,42 @@ impl Bar<'_> {
                         status::value(ui, session, self.cursor);
                     });
                 }
+            });
+        });
+    }
+
+    /// The value under the pointer in a line of its own, above the angles.
+    fn show_lines(&self, ui: &mut Ui, session: &mut Session) {
+        let line = vec2(ui.available_width(), VALUE_LINE);
+        let at_end = Layout::right_to_left(Align::Center);
+        ui.allocate_ui_with_layout(line, at_end, |ui| {
+            status::progress(ui, self.progress);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                status::value(ui, session, self.cursor);
+            });
+        });
+        ui.spacing_mut().item_spacing.x = NARROW_GAP;
+        let width = |part| match part {
+            Part::Value => 0.0,
+            _ => self.width(ui, session, part),
+        };
+        // What is behind the button is there for the thumb too: sliders have no room in the line.
+        let (gone, _) = fit::left_out(width, ui.available_width(), more_width(ui));
+        let is_here = |part: &Part| !gone.contains(part);
+        ui.horizontal_centered(|ui| {
+            directions::fixed(ui, session);
+            for angle in Angle::ALL {
+                if is_here(&Part::Of(angle)) {
+                    angle.show(ui, session, None);
+                }
+            }
+            ui.with_layout(at_end, |ui| {
+                let gone: Vec<Part> = gone
+                    .iter()
+                    .copied()
+                    .filter(|part| *part != Part::Value)
+                    .collect();
+                self.rest(ui, session, &gone);
             });
         });
     }
@@ -150,6 +205,17 @@ impl Bar<'_> {
             }
         }
     }
+}
+
+/// Whether the value has a line of its own: beside the angles there is no room for it.
+fn has_line_of_value(ui: &Ui) -> bool {
+    ui.ctx().content_rect().width() < theme::SMALL_WINDOW.x
+}
+
+/// The room of the button with what does not fit, in points.
+fn more_width(ui: &Ui) -> f32 {
+    let spacing = ui.spacing();
+    text_width(ui, MORE) + 2.0 * spacing.button_padding.x + spacing.item_spacing.x
 }
 
 fn text_width(ui: &Ui, text: &str) -> f32 {

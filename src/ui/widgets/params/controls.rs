@@ -1,8 +1,9 @@
 //! Parts that the rows of parameters have in common.
 
-use egui::{Button, Response, Role, Ui, WidgetInfo, accesskit};
+use egui::{Response, Role, Ui, WidgetInfo, accesskit};
 
 use super::words::accessible;
+use crate::widgets::small;
 
 /// Gives the control of `response` its accessible name.
 pub(super) fn name(response: &Response, label: &str, ordinal: Option<usize>) {
@@ -19,7 +20,7 @@ pub(super) fn reset_button(
     is_changed: bool,
     hint: &str,
 ) -> bool {
-    let reset = Button::new("↺").small().frame(false);
+    let reset = small::button(ui, "↺").frame(false);
     let response = ui.add_enabled(is_changed, reset).on_hover_text(hint);
     let name = accessible(&format!("Reset {what}"), ordinal);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_changed, &name));

@@ -13,6 +13,7 @@ use super::grid;
 use crate::theme;
 use crate::widgets::category;
 use crate::widgets::hits::{self, Found, Highlight};
+use crate::widgets::small;
 use crate::widgets::thumbnails::Thumbnails;
 use bxdf::Category;
 use bxdf_study::answers::Answers;
@@ -153,7 +154,7 @@ impl Open {
             }
             ui.separator();
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let cancel = ui.small_button("Cancel");
+                let cancel = ui.add(small::button(ui, "Cancel"));
                 let is_cancelled = cancel.on_hover_text("Choose nothing (Escape)").clicked();
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     let text = if self.is_adding {
@@ -189,7 +190,9 @@ impl Open {
                 self.highlight.restart();
             }
             if is_clearable {
-                let clear = ui.small_button("×").on_hover_text("Clear the search");
+                let clear = ui
+                    .add(small::button(ui, "×"))
+                    .on_hover_text("Clear the search");
                 ui.ctx()
                     .accesskit_node_builder(clear.id, |node| node.set_label("Clear the search"));
                 if clear.clicked() {
