@@ -244,3 +244,48 @@ fn what_no_sheet_has_is_refused() {
         assert!(line.contains(expected), "{arguments}: {line}");
     }
 }
+
+/// A link stands where a file of a session does; one that is broken is refused in a line.
+#[test]
+fn a_link_is_exported_as_a_file_is() {
+    use brdf_explorer::study::link;
+    use brdf_explorer::study::session::Session;
+
+    let folder = folder("links");
+    let session = Session::of("phong:exponent=20".parse().unwrap());
+    let made = link::to_session(&session).unwrap().fragment;
+    std::fs::write(folder.join("s.toml"), session.to_toml().unwrap()).unwrap();
+    let export = |given: &str, name: &str| {
+        Command::new(env!("CARGO_BIN_EXE_brdf-explorer"))
+            .args(["export", "--session", given, "--view", "polar", "-o", name])
+            .current_dir(&folder)
+            .output()
+            .unwrap()
+    };
+    let link = format!("https://a.example/b/{made}");
+    for (given, name) in [
+        ("s.toml", "file.csv"),
+        (&*made, "short.csv"),
+        (&*link, "link.csv"),
+    ] {
+        let output = export(given, name);
+        assert_eq!(
+            (output.status.code(), super::stderr(&output)),
+            (Some(0), "")
+        );
+        let [one, other] = ["file.csv", name].map(|name| std::fs::read(folder.join(name)).unwrap());
+        assert!(!one.is_empty() && one == other, "{given}");
+    }
+    for (given, expected) in [
+        (&link[..link.len() - 9], "cut off or damaged"),
+        ("#lesson=06-lambert.2", "--lesson 06-lambert.2"),
+    ] {
+        let output = export(given, "none.csv");
+        let message = super::stderr(&output);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            message.contains(expected) && message.trim_end().lines().count() == 1,
+            "{message}"
+        );
+    }
+}

@@ -16,7 +16,7 @@ use super::files::{drop_file, file_menu, press, titles, work_in};
 use super::{Folder, material, window};
 
 /// A table of a material, large enough to be no part of a text, and its recipe.
-fn table(id: &str) -> (Recipe, Table) {
+pub(super) fn table(id: &str) -> (Recipe, Table) {
     let material = material(id);
     let shape = Shape::of(24, true).unwrap();
     let table = Table::bake(&*material.build::<f64>(), shape, u64::MAX).unwrap();
@@ -32,7 +32,7 @@ fn baked(id: &str) -> Material {
     component.into()
 }
 
-fn says(harness: &Harness<'_, App>, text: &str) -> bool {
+pub(super) fn says(harness: &Harness<'_, App>, text: &str) -> bool {
     harness.query_all_by_label_contains(text).next().is_some()
 }
 

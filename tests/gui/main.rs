@@ -29,6 +29,7 @@ mod interaction;
 mod keeping;
 mod keyboard;
 mod lessons;
+mod links;
 mod list;
 mod lobe;
 mod materials;

@@ -9,10 +9,12 @@ use bxdf_study::session::PaletteIndex;
 pub use maps::*;
 pub use math_fonts::family_of;
 pub use palette::Palette;
+pub use small::*;
 
 mod maps;
 mod math_fonts;
 mod palette;
+mod small;
 
 /// The theme, as the document names it.
 #[must_use]
@@ -38,16 +40,6 @@ pub const WINDOW_SIZE: Vec2 = Vec2::new(1280.0, 800.0);
 pub const MIN_WINDOW_SIZE: Vec2 = Vec2::new(360.0, 360.0);
 /// Below this size, in points, the bars leave no room for a view.
 pub const USABLE_SIZE: Vec2 = Vec2::new(320.0, 240.0);
-/// Below this width or this height, in points, a window is small: see [`is_small`].
-pub const SMALL_WINDOW: Vec2 = Vec2::new(700.0, 480.0);
-/// The least height of what is pressed in a small window, in points: a finger is to hit it.
-pub const TOUCHED: f32 = 32.0;
-/// The least width beside the panel at the side that lies over the view in a small window, in points: pressed there, it goes.
-pub const BESIDE_DRAWER: f32 = 64.0;
-/// How dark that is beside it, 0..255.
-pub const DRAWER_SHADE: u8 = 120;
-/// The part of the height of a small window that a lesson takes below the view.
-pub const LESSON_HEIGHT_SHARE: f32 = 0.45;
 /// The width of the panel with materials and parameters, in points.
 pub const SIDE_WIDTH: f32 = 264.0;
 /// Its width while it is folded to icons, in points.
@@ -126,8 +118,6 @@ pub const SHARE_BAR: Vec2 = Vec2::new(104.0, 12.0);
 pub const SWATCH: Vec2 = Vec2::new(18.0, 12.0);
 /// The largest size of the help, in points.
 pub const HELP_SIZE: Vec2 = Vec2::new(560.0, 560.0);
-/// The room around the help, in points.
-pub const HELP_MARGIN: f32 = 80.0;
 /// The width of the column of keys in the help, in points.
 pub const HELP_KEYS_WIDTH: f32 = 200.0;
 /// The width of the field for a path, in points.
@@ -256,38 +246,6 @@ pub fn plain_text(ui: &mut egui::Ui) {
     ui.style_mut().text_styles = ui.ctx().global_style().text_styles.clone();
 }
 
-/// Whether a window of this size, in points, has room for one view at a time alone, as on a phone.
-#[must_use]
-pub fn is_small(size: Vec2) -> bool {
-    size.x < SMALL_WINDOW.x || size.y < SMALL_WINDOW.y
-}
-
-/// The room that a dialog has in the window, in points: it leaves the least at the edges of a small one.
-#[must_use]
-pub fn room_of_dialog(ctx: &egui::Context) -> Vec2 {
-    let window = ctx.content_rect().size();
-    let margin = if is_small(window) {
-        SMALL_DIALOG_MARGIN
-    } else {
-        HELP_MARGIN
-    };
-    window - Vec2::splat(margin)
-}
-
-/// The room around a dialog in a small window, with its frame, in points.
-const SMALL_DIALOG_MARGIN: f32 = 32.0;
-
-/// The height of what is pressed where a mouse points, in points.
-const POINTED_AT: f32 = 20.0;
-
-/// Lets what is pressed be high enough for a finger, or for a mouse alone. Menus and windows follow: it holds for all of them.
-pub fn fit_to_hand(ctx: &egui::Context, is_touched: bool) {
-    let height = if is_touched { TOUCHED } else { POINTED_AT };
-    if ctx.global_style().spacing.interact_size.y != height {
-        ctx.all_styles_mut(|style| style.spacing.interact_size.y = height);
-    }
-}
-
 /// The fonts of all families.
 #[must_use]
 pub fn fonts() -> FontDefinitions {
@@ -315,7 +273,7 @@ pub fn apply(ctx: &egui::Context) {
         style.text_styles.insert(TextStyle::Small, font(SMALL_TEXT));
         style.spacing.item_spacing = Vec2::new(7.0, 5.0);
         style.spacing.slider_width = 118.0;
-        style.spacing.interact_size.y = POINTED_AT;
+        style.spacing.interact_size.y = small::POINTED_AT;
     });
     for theme in [Theme::Dark, Theme::Light] {
         let palette = Palette::of(theme);
