@@ -292,8 +292,9 @@ def pixels(path):
     return width, height, rows
 
 
-def difference(one, other, block=8):
-    """The share of blocks of so many pixels a side whose mean colour differs by more than a twentieth of the range."""
+def difference(one, other, columns=None, block=8):
+    """The share of blocks of so many pixels a side whose mean colour differs by more than a twentieth of the range; of the
+    first `columns` alone where they are given."""
     (width, height, a), (other_width, other_height, b) = pixels(one), pixels(other)
     if (width, height) != (other_width, other_height):
         raise Refused(f"{one} is {width}x{height}, {other} is {other_width}x{other_height}")
@@ -308,16 +309,286 @@ def difference(one, other, block=8):
 
     differ = count = 0
     for y in range(0, height - block + 1, block):
-        for x in range(0, width - block + 1, block):
+        for x in range(0, (columns or width) - block + 1, block):
             count += 1
             differ += any(abs(p - q) > 12.75 for p, q in zip(mean(a, x, y), mean(b, x, y)))
     return differ / count
 
 
 def text_of(browser):
-    """All that can be read on the screen, in its order, but for times."""
+    """All that can be read on the screen, in its order, but for times and for what is still computed."""
     words = [node["value"] or node["name"] for node in browser.nodes() if node["role"] in ("Label", "TextInput", "SpinButton", "Slider")]
-    return [word for word in words if word and not re.search(r" ms\b|milliseconds", word)]
+    return [word for word in words if word and not re.search(r" ms\b|milliseconds|Computing|Up to date", word)]
 
 
 CTRL, SHIFT, ALT = 2, 8, 1
+
+# Times what is computed and drawn in each frame, before it is handed to the graphics processor.
+TIMED = """
+window.frames_taken = [];
+const request = window.requestAnimationFrame.bind(window);
+window.requestAnimationFrame = (then) => request((time) => {
+    const begin = performance.now();
+    then(time);
+    window.frames_taken.push(performance.now() - begin);
+});
+"""
+
+# The browser keeps nothing.
+THROWS = "Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); };"
+
+SIZE = (1280, 800)
+
+
+def middle(node):
+    return node["x"] + node["width"] / 2, node["y"] + node["height"] / 2
+
+
+def value_of(browser, name, role=None):
+    node = browser.find(name, role)
+    return node and (node["value"] or node["name"])
+
+
+def is_said(browser, words):
+    return lambda: any(words in (node["value"] or node["name"] or "") for node in browser.nodes())
+
+
+def drop(browser, text, name):
+    """Drops a file of this text on the page."""
+    browser.js(f"""
+        const carried = new DataTransfer();
+        carried.items.add(new File([{json.dumps(text)}], {json.dumps(name)}));
+        const canvas = document.getElementById("explorer");
+        for (const kind of ["dragenter", "dragover", "drop"])
+            canvas.dispatchEvent(new DragEvent(kind, {{
+                dataTransfer: carried, bubbles: true, cancelable: true, clientX: 600, clientY: 400,
+            }}));
+    """)
+
+
+def downloaded(browser, ending):
+    """The bytes of a file whose name ends so, once it is complete."""
+    def found():
+        return next((path for path in browser.downloads.iterdir() if path.suffix == ending and path.stat().st_size), None)
+    return browser.wait(f"a download of {ending}", found).read_bytes()
+
+
+def link_of(browser):
+    """Copies a link, which the address then shows."""
+    before = browser.js("return location.hash")
+    browser.key("k", modifiers=CTRL | SHIFT)
+    return browser.wait("a link", lambda: (lambda now: now if now != before else None)(browser.js("return location.hash")))
+
+
+def looks_at_the_folder(folder):
+    page = (folder / "index.html").read_text()
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', page)
+    rules = dict(rule.strip().split(" ", 1) for rule in policy[1].split(";"))
+    check(rules["default-src"] == "'self'", "nothing is loaded but from the page's own folder")
+    check(rules["script-src"] == "'self' 'wasm-unsafe-eval'", "scripts are the page's own, and none stands in it")
+    check(not re.search(r"<script[^>]*>\s*[^<\s]", page), "no script stands in index.html")
+    check(not re.search(r"\son\w+=", page), "no element of index.html has a script")
+    loaded = ["index.html", "explorer.js", "explorer.wasm.gz", "icon.png"]
+    size = sum((folder / name).stat().st_size for name in loaded)
+    check(size <= 6 << 20, f"all that is loaded: {size / (1 << 20):.2f} MiB")
+    check("MIT" in (folder / "licences.txt").read_text(), "licences are there")
+
+
+def is_used(browser, server, folder, program):
+    begin = time.monotonic()
+    browser.cdp("Page.addScriptToEvaluateOnNewDocument", source=TIMED)
+    browser.start(server.address)
+    print(f"figure: {time.monotonic() - begin:.1f} s from the address to the first frame", flush=True)
+    browser.seen("Skip", "Button")
+    time.sleep(2)
+    own, drawn = folder.parent / "page.png", folder.parent / "desktop.png"
+    browser.click(browser.seen("Skip", "Button"))
+    time.sleep(2)
+    browser.mouse("mouseMoved", 640, 790)
+    browser.picture(own)
+    theme = browser.js("return matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'")
+    subprocess.run([program, "render", "--size", "1280x800", "--theme", theme, "-o", drawn], check=True)
+    # Pictures have no captions above their views, which move these down by a line.
+    share, panel = difference(own, drawn), difference(own, drawn, columns=264)
+    said = f"{100 * share:.1f} % of the blocks of 8 by 8 pixels differ, in the panel at the side {100 * panel:.1f} %"
+    check(share < 0.1 and panel < 0.02, f"the page looks as on the desktop: {said}")
+
+    light = browser.seen("Light in the polar")
+    before = value_of(browser, r"θ .*f .*1/sr", "Label")
+    (x, y) = middle(light)
+    browser.js("window.frames_taken.length = 0")
+    browser.drag((x, y), (x + 60, y - 30), steps=40)
+    browser.wait("the value to change", lambda: value_of(browser, r"θ .*f .*1/sr", "Label") != before)
+    taken = sorted(browser.js("return window.frames_taken"))
+    print(f"figure: while the light is dragged a frame takes {taken[len(taken) // 2]:.0f} ms, 95 of 100 at most {taken[int(0.95 * (len(taken) - 1))]:.0f} ms", flush=True)
+    check(browser.find("Light in the polar")["value"] != light["value"], "the light is dragged by the mouse, and the number changes")
+
+    browser.click(browser.seen("Roughness along s", "SpinButton"))
+    browser.key("a", modifiers=CTRL)
+    browser.type("0.345")
+    browser.key("Enter", text="\r")
+    browser.wait("the number typed", lambda: value_of(browser, "Roughness along t", "SpinButton") == "0.345")
+    check(value_of(browser, "Roughness along s", "SpinButton") == "0.345", "a number is typed key by key: 0.345")
+
+    first = link_of(browser)
+    check(first.startswith("#s=") and len(first) < 2000, f"a link to all of it: {len(first)} characters")
+    one = text_of(browser)
+    browser.click(browser.seen("Roughness along s", "SpinButton"))
+    browser.key("a", modifiers=CTRL)
+    browser.type("0.8")
+    browser.key("Enter", text="\r")
+    browser.wait("the number typed", lambda: value_of(browser, "Roughness along s", "SpinButton") == "0.8")
+    second = link_of(browser)
+    browser.js("history.back()")
+    browser.wait("the state before", lambda: value_of(browser, "Roughness along s", "SpinButton") == "0.345")
+    browser.js("history.forward()")
+    browser.wait("the state after it", lambda: value_of(browser, "Roughness along s", "SpinButton") == "0.8")
+    check(True, "back and forward step through the states that were linked")
+
+    other = Browser(SIZE)
+    try:
+        other.start(server.address + first)
+        other.wait("the state of the link", lambda: value_of(other, "Roughness along s", "SpinButton") == "0.345")
+        if other.find("Skip", "Button"):
+            other.click(other.find("Skip", "Button"))
+        time.sleep(1)
+        lost = [word for word in one if word not in text_of(other) and "clipboard" not in word]
+        check(not lost, f"a link opens the same state elsewhere {lost[:3] or ''}")
+        other.js("location.hash = '#s=' + location.hash.slice(3, -9)")
+        other.wait("a line about the link", is_said(other, "cut off or damaged"))
+        check(value_of(other, "Roughness along s", "SpinButton") == "0.345", "a link that is cut is told of, and all stays")
+        check(not other.errors(), "no error on its console")
+    finally:
+        other.end()
+
+    drop(browser, '[[lobes]]\nmodel = "phong"\nexponent = 20\n', "my.toml")
+    browser.seen("Show Phong", "CheckBox")
+    check(True, "a material is dropped")
+    browser.key("s", modifiers=CTRL)
+    check(b"BRDF Explorer session" in downloaded(browser, ".toml"), "the session is downloaded")
+    for name, ending, begins in (("PNG", ".png", b"\x89PNG"), ("SVG", ".svg", b"<")):
+        browser.key("e", modifiers=CTRL)
+        browser.click(browser.seen(rf"\({name}\)", "Button"))
+        check(downloaded(browser, ending).startswith(begins), f"a figure is downloaded as {name}")
+    time.sleep(2.5)
+    browser.start(server.address)
+    browser.seen("Show Phong", "CheckBox")
+    check(value_of(browser, "Exponent", "SpinButton") == "20", "the next visit begins where the last one ended")
+
+
+def teaches(server, folder):
+    browser = Browser(SIZE)
+    try:
+        browser.start(server.address + "#lesson=06-lambert.2")
+        field = browser.seen("Your answer")
+        browser.click(field)
+        browser.type("3.14159")
+        browser.key("Enter", text="\r")
+        browser.wait("the verdict", is_said(browser, "Right"))
+        check(True, "a step of a lesson is opened by its link, and answered")
+        browser.picture(folder.parent / "lesson.png")
+        browser.start(server.address + "?embed=1&theme=dark#lesson=06-lambert.2")
+        browser.seen("Next", "Button")
+        check(browser.find("File", "Button") is None, "a step stands within another page without menus")
+        browser.start(server.address + "?embed=1&theme=dark")
+        browser.seen("Light in the 3D lobe")
+        check(browser.find("Change", "Button") is None, "so does a view")
+        check(not browser.errors(), "no error on the console")
+    finally:
+        browser.end()
+
+
+def is_touched(server, folder):
+    browser = Browser((390, 844), touch=True)
+    try:
+        browser.start(server.address)
+        browser.wait("a handle", lambda: browser.find("^Light in"))
+        time.sleep(2)
+        browser.picture(folder.parent / "phone.png")
+        light = browser.find("^Light in")
+        (x, y) = middle(light)
+        browser.touch((x, y), (x + 30, y - 20))
+        browser.wait("the light to move", lambda: browser.find("^Light in")["value"] != light["value"])
+        check(True, "the light is dragged by a finger, on a screen of 390 by 844")
+        check(not browser.errors(), "no error on the console")
+    finally:
+        browser.end()
+
+
+def works_without_a_network(server):
+    browser = Browser(SIZE)
+    try:
+        browser.start(server.address)
+        browser.seen("Skip", "Button")
+        begin = browser.requests()
+        own = [address for address in begin if address.startswith("http") and not address.startswith(server.address)]
+        check(not own, f"nothing is asked for beside the page's folder {own[:3] or ''}")
+        browser.cdp("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=0, uploadThroughput=0)
+        for name in ("Compare", "Reflectance", "Sampling", "Numerics", "Look"):
+            browser.click(browser.seen(f"^{name}$", "Button"))
+            time.sleep(2)
+        browser.key("l", modifiers=CTRL)
+        browser.wait("the lessons", is_said(browser, "Lambert"))
+        link_of(browser)
+        browser.key("s", modifiers=CTRL)
+        downloaded(browser, ".toml")
+        kept = browser.wait("the session to be kept", lambda: browser.js("return localStorage['brdf-explorer/session.toml']"))
+        check("BRDF Explorer session" in kept, "without a network views, lessons, links, downloads and keeping go on")
+        asked = [address for address in browser.requests() if address.startswith("http")]
+        check(not asked, f"and nothing is asked for {asked[:3] or ''}")
+        check(not browser.errors(), "no error on the console")
+    finally:
+        browser.end()
+
+
+def fails_well(server):
+    browser = Browser(SIZE)
+    try:
+        browser.cdp("Page.addScriptToEvaluateOnNewDocument", source=THROWS)
+        browser.start(server.address)
+        browser.wait("a line about it", is_said(browser, "keeps nothing for the next visit"))
+        check(True, "a browser that keeps nothing is told of")
+        has_context = browser.js("""
+            const context = document.getElementById("explorer").getContext("webgl2");
+            context?.getExtension("WEBGL_lose_context").loseContext();
+            return !!context;
+        """)
+        if has_context:
+            browser.wait("a sentence", lambda: not browser.js("return document.getElementById('before').hidden"))
+            check(not browser.js("return document.getElementById('again').hidden"), "a lost drawing context is told of, with a button")
+    finally:
+        browser.end()
+    browser = Browser(SIZE)
+    try:
+        browser.cdp("Page.addScriptToEvaluateOnNewDocument", source="WebAssembly.validate = () => false;")
+        browser.go(server.address)
+        told = browser.wait("a sentence", lambda: browser.js("return document.getElementById('said').textContent"))
+        check("SIMD" in told and not browser.js("return document.getElementById('picture').hidden"), "a browser without vectors gets a sentence and a picture")
+    finally:
+        browser.end()
+
+
+def main():
+    folder, program = pathlib.Path(sys.argv[1]), sys.argv[2]
+    looks_at_the_folder(folder)
+    server = Server(folder)
+    browser = Browser(SIZE)
+    try:
+        is_used(browser, server, folder, program)
+        check(not browser.errors(), f"no error on the console")
+        memory = browser.js("return window.explorer_memory?.buffer.byteLength ?? 0")
+        print(f"figure: WebAssembly.Memory {memory / (1 << 20):.0f} MiB", flush=True)
+    finally:
+        browser.end()
+    teaches(server, folder)
+    is_touched(server, folder)
+    works_without_a_network(server)
+    fails_well(server)
+    print("The page passed all checks")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Refused as problem:
+        sys.exit(f"FAILED: {problem}")

@@ -14,7 +14,14 @@ use super::{Folder, window, window_of};
 
 /// What a key copies, within a few frames.
 fn copied_by(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) -> String {
-    harness.key_press_modifiers(modifiers, key);
+    // In one frame: those between are not seen.
+    harness.input_mut().events.push(Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    });
     for _ in 0..4 {
         harness.step();
         let commands = harness.output().platform_output.commands.iter();
