@@ -2,6 +2,7 @@
 
 use brdf_explorer::study::session::{Place, READY_LAYOUTS, Session};
 use brdf_explorer::ui::app::App;
+use brdf_explorer::ui::widgets::status::IN_PLANE;
 use egui::{Rect, Role, Shape, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -190,6 +191,32 @@ fn the_inspector_follows_no_pointer_below_what_lets_no_light_through() {
         assert!(pointed > 0, "{material}: nothing below is pointed at");
         assert_eq!(read > 0, is_read, "{material}");
     }
+}
+
+/// In the surface plane the Inspector has the value of the bar below, which says so in the same words.
+#[test]
+fn the_inspector_and_the_bar_show_one_limit_in_the_surface_plane() {
+    let mut shown = session(&["oren_nayar:sigma=30"]);
+    shown.put_other(glam::DVec3::X);
+    let mut harness = picture(shown, None, [1600, 900], Theme::Dark).controls();
+    harness.get_by_label("Compare").click();
+    harness.run();
+    let bar = harness.get_by_label_contains("θ 90°  φ 0°  f ");
+    let (place, text) = (bar.rect(), bar.accesskit_node().value().unwrap());
+    let value = text.split_whitespace().nth(5).unwrap().to_owned();
+    assert!(value.parse::<f64>().unwrap() > 0.05, "{text}");
+    let in_table = harness.query_all_by_label(&value).count();
+    assert!(in_table >= 4, "luminance, R, G and B: {in_table}");
+    assert_eq!(harness.query_all_by_label(IN_PLANE).count(), 1);
+    harness.hover_at(place.center());
+    harness.run_steps(6);
+    assert!(
+        texts_of(&harness)
+            .iter()
+            .filter(|text| **text == IN_PLANE)
+            .count()
+            == 2
+    );
 }
 
 #[test]

@@ -5,12 +5,12 @@ use glam::DVec3;
 use super::HeldLobe;
 use super::lobe::Arrow;
 use bxdf::math::frame;
-use bxdf::{Microfacet, Scatterer, Side};
+use bxdf::{Microfacet, Side};
 
 /// What a surface does at a pair of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
-    /// f in 1/sr, per channel.
+    /// f in 1/sr, per channel; its limit where the free direction lies in the surface plane.
     pub f: [f64; 3],
     /// f |cos(theta_i)| in 1/sr, per channel.
     pub f_cos: [f64; 3],
@@ -21,10 +21,12 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// That of `bxdf` at the unit vectors `wo` and `wi`.
+    /// That of `lobe` with the unit vector `free` as the other direction of the pair.
     #[must_use]
-    pub fn of(bxdf: &dyn Scatterer<f64>, wo: DVec3, wi: DVec3) -> Self {
-        let f = bxdf.f(wo.into(), wi.into()).to_f64();
+    pub fn of(lobe: &HeldLobe<'_>, free: DVec3) -> Self {
+        let bxdf = lobe.surface();
+        let (wo, wi) = lobe.pair(free);
+        let f = lobe.value_or_limit(free, free.z >= 0.0);
         Self {
             f,
             f_cos: f.map(|f| f * wi.z.abs()),
@@ -62,6 +64,7 @@ pub fn deltas(lobe: &HeldLobe<'_>, free: DVec3) -> [Option<DeltaReading>; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::Hold;
     use bxdf::Material;
     use bxdf::math::frame::direction_from_degrees;
 
@@ -70,7 +73,8 @@ mod tests {
         let material: Material = "rough_conductor:alpha=.4".parse().unwrap();
         let model = material.build::<f64>();
         let [wo, wi] = [40.0, 200.0].map(|phi| direction_from_degrees(55.0, phi));
-        let reading = Reading::of(&*model, wo, wi);
+        let lobe = HeldLobe::new(&*model, Hold::Light, wi);
+        let reading = Reading::of(&lobe, wo);
         let factors = reading.microfacet.unwrap();
         let product = factors.fresnel.0[1] * factors.d * factors.g / (4.0 * wo.z * wi.z);
         assert!((reading.f[1] / product - 1.0).abs() < 1e-13);
@@ -78,12 +82,28 @@ mod tests {
         assert!(reading.pdf > 0.0);
     }
 
+    /// f has its limit in the surface plane, as a drawn lobe has; times the cosine of the light there it is 0.
+    #[test]
+    fn in_the_surface_plane_f_is_its_limit_and_no_light_crosses() {
+        let material: Material = "oren_nayar:sigma=30".parse().unwrap();
+        let model = material.build::<f64>();
+        let (held, flat) = (direction_from_degrees(50.0, 180.0), DVec3::X);
+        for hold in [Hold::Light, Hold::Viewer] {
+            let lobe = HeldLobe::new(&*model, hold, held);
+            let reading = Reading::of(&lobe, flat);
+            let limit = lobe.value_or_limit(flat, true);
+            assert!(limit[0] > 0.05 && reading.f == limit, "{:?}", reading.f);
+            let cosine = lobe.pair(flat).1.z.abs();
+            assert_eq!(reading.f_cos, limit.map(|f| f * cosine));
+        }
+    }
+
     #[test]
     fn a_delta_is_here_where_one_points_at_it() {
         let glass: Material = "fresnel_specular".parse().unwrap();
         let surface = glass.build::<f64>();
         let held = direction_from_degrees(50.0, 180.0);
-        let lobe = HeldLobe::new(&*surface, crate::analysis::Hold::Light, held);
+        let lobe = HeldLobe::new(&*surface, Hold::Light, held);
         let mirror = direction_from_degrees(50.2, 0.0);
         let [Some(up), Some(down)] = deltas(&lobe, mirror) else {
             panic!("two deltas");

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::context::ViewContext;
 use crate::theme;
-use crate::widgets::{choice, deltas as widgets_deltas, draw, small, still};
+use crate::widgets::{choice, deltas as widgets_deltas, draw, small, status, still};
 use bxdf::Side;
 use bxdf_lab::analysis::half_difference::{HalfDifference, Spherical, half_difference};
 use bxdf_lab::analysis::hemisphere::Quantity;
@@ -104,7 +104,7 @@ pub(super) fn show(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
             }
         });
         if !has_flux(report.free) {
-            ui.weak("In the surface plane, at θ = 90°, no light crosses and f is set to 0; plots show its limit there");
+            ui.add(Label::new(RichText::new(status::IN_PLANE).weak()).wrap());
         }
         table(ui, &report);
     });
@@ -121,7 +121,7 @@ fn report(cx: &mut ViewContext<'_, Options>) -> Report {
     let row = |entry| {
         let (reading, deltas) = cx.answers.with_subject(session, entry, |subject| {
             let lobe = &subject.lobe;
-            (Reading::of(lobe.surface(), wo, wi), deltas(lobe, free))
+            (Reading::of(lobe, free), deltas(lobe, free))
         });
         Row {
             name: session.materials.title(entry),
