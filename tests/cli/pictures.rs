@@ -91,7 +91,7 @@ fn what_is_no_lesson_or_more_than_one_is_refused() {
         ("--lesson no-such.md", "no-such.md"),
         (
             "--lesson 1 --session a.toml",
-            "'--lesson <NN[.STEP]>' cannot be used with '--session <FILE>'",
+            "'--lesson <NN[.STEP]>' cannot be used with '--session <FILE|LINK>'",
         ),
         (
             "--lesson 1 --material gold",
