@@ -6,7 +6,7 @@ use brdf_explorer::study::session::Session;
 use brdf_explorer::study::views::{OfKind as _, fresnel};
 use brdf_explorer::ui::app::App;
 use brdf_explorer::ui::export;
-use egui::{Pos2, Rect, Role, Shape, Theme};
+use egui::{Pos2, Rect, Role, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -155,30 +155,6 @@ fn without_an_interface_an_index_is_typed() {
     let both = alone(session(&["lambertian_reflection", GLASS]), [800, 500]);
     assert!(!paints(&both, "has an index of refraction"));
     assert_eq!(fresnel::Options::KIND.id, VIEW);
-}
-
-/// A line of a picture that ends between a symbol and its number is read as two things.
-#[test]
-fn an_index_stays_with_its_symbol_where_a_line_ends() {
-    let mut found = 0;
-    for width in (400..600).step_by(8) {
-        let shown = session(&["specular_reflection"]);
-        let harness = picture(shown, Some(VIEW), [width, 500], Theme::Dark).shapes();
-        for clipped in &harness.output().shapes {
-            let Shape::Text(text) = &clipped.shape else {
-                continue;
-            };
-            if text.galley.text().contains("has an index of refraction") {
-                let ends = |row: &str| [" n", " k"].iter().any(|end| row.trim_end().ends_with(end));
-                for row in &text.galley.rows {
-                    let row = row.text();
-                    assert!(!ends(&row), "{width}: {row}");
-                }
-                found += 1;
-            }
-        }
-    }
-    assert_eq!(found, 25);
 }
 
 #[test]

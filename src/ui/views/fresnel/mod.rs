@@ -217,9 +217,11 @@ fn own_interface(ui: &mut Ui, cx: &mut ViewContext<'_, Options>) {
         format!("No {of} shown has an index of refraction: this interface is the view's own");
     if cx.state.is_picture {
         let [n, k] = [cx.options.own_n, cx.options.own_k].map(format::value);
-        // A symbol stays with its number.
-        let text = format!("{line}, n\u{a0}{n}, k\u{a0}{k}");
-        ui.label(RichText::new(text).small().weak());
+        ui.label(
+            RichText::new(format!("{line}, n {n}, k {k}"))
+                .small()
+                .weak(),
+        );
         return;
     }
     ui.label(RichText::new(line).small().weak());

@@ -57,13 +57,10 @@ fn below_titles(room: Rect, n: usize, (aspect, title): (f32, f32)) -> Vec<Cell> 
         let height = (room.height() - GAP * (rows as f32 - 1.0)) / rows as f32 - title;
         height.min(width / aspect).max(1.0)
     };
-    // Of nearly equal sizes the one that leaves no places empty, nor the sides.
+    // Of nearly equal sizes the one that leaves no places empty.
     let worth = |columns: usize| {
         let places = columns * n.div_ceil(columns);
-        let height = height_for(columns);
-        let used = columns as f32 * (height * aspect + GAP) - GAP;
-        let share = (n as f32 / places as f32) * (used / room.width()).clamp(0.0, 1.0);
-        height * share.powf(FILLING)
+        height_for(columns) * (n as f32 / places as f32).powf(FILLING)
     };
     let columns = (1..=n.max(1)).max_by(|a, b| worth(*a).total_cmp(&worth(*b)));
     let columns = columns.unwrap_or(1);
@@ -246,24 +243,6 @@ pub fn color_bar(ui: &Ui, room: Rect, scale: ColorScale, name: &str, palette: &P
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Three pictures in a room higher than wide do not stand in one narrow column.
-    #[test]
-    fn pictures_use_the_width_of_a_high_room() {
-        let columns = |width: f32, height: f32, n: usize| {
-            let room = Rect::from_min_size(Pos2::ZERO, vec2(width, height));
-            let cells = below_titles(room, n, (1.0, 20.0));
-            let top = cells[0].picture.top();
-            cells
-                .iter()
-                .filter(|cell| cell.picture.top() == top)
-                .count()
-        };
-        assert_eq!(columns(250.0, 430.0, 3), 2);
-        assert_eq!(columns(250.0, 900.0, 3), 1);
-        assert_eq!(columns(600.0, 250.0, 3), 3);
-        assert_eq!(columns(400.0, 400.0, 4), 2);
-    }
 
     #[test]
     fn pictures_fill_the_room_and_do_not_overlap() {
