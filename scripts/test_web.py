@@ -529,6 +529,9 @@ def works_without_a_network(server):
             time.sleep(2)
         browser.key("l", modifiers=CTRL)
         browser.wait("the lessons", is_said(browser, "Lambert"))
+        # Their field has the keyboard until it is left.
+        browser.key("Escape")
+        time.sleep(1)
         link_of(browser)
         browser.key("s", modifiers=CTRL)
         downloaded(browser, ".toml")
